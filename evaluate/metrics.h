@@ -1,0 +1,41 @@
+// Figures of a run: free functions over its record.
+#pragma once
+
+#include "evaluate/coverage.h"
+#include "planner/path.h"
+#include "sim/run_record.h"
+#include "vehicle_models/vehicle.h"
+
+namespace headland {
+
+// Totals of one kind of path segment.
+struct KindTotals {
+  int count = 0;
+  double time_s = 0.0;
+  double distance_m = 0.0;
+  EnergyBalance energy;
+};
+
+struct Metrics {
+  CoverageFigures coverage;
+  double coverage_ratio = 0.0;  // covered / workable
+  double overlap_ratio = 0.0;   // overlap / workable
+  double distance_m = 0.0;
+  double time_s = 0.0;
+  double energy_wh = 0.0;         // battery, chemistry side
+  double energy_wh_per_ha = 0.0;  // of covered area
+  double delta_soc = 0.0;
+  double rested_voltage_drop_v = 0.0;
+  int turns = 0;  // manoeuvres of kind turn
+  int u_turns = 0;
+  double worst_slip = 0.0;
+  double worst_load_transfer = 0.0;
+  double track_rms_working_m = 0.0;
+  double track_rms_turning_m = 0.0;
+  double ledger_residual_ratio = 0.0;  // |residual| / battery energy throughput
+  KindTotals by_kind[5];               // indexed by PathKind
+};
+
+Metrics measure_run(const Path& path, const RunRecord& run, const CoverageFigures& coverage);
+
+}  // namespace headland

@@ -1,0 +1,59 @@
+// Go or no-go: thresholds, and the reasons with value, limit, place and time.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace headland {
+
+struct Metrics;
+struct RunRecord;
+struct Path;
+
+// A figure is fine up to `warn`, a warning up to `fail`, a failure beyond. For figures where more
+// is better (coverage, reserve) the order is reversed: fine down to `warn`.
+struct Limit {
+  double warn = 0.0;
+  double fail = 0.0;
+};
+
+// Sources: PHYSICS of the project's docs (docs/verdict.md); every number can be set in the
+// scenario.
+struct VerdictLimits {
+  Limit coverage_ratio_min{0.98, 0.95};
+  Limit overlap_ratio_max{0.15, 0.30};
+  Limit outside_area_ratio_max{0.005, 0.02};
+  Limit slip_max{0.20, 0.30};  // sustained
+  Limit load_transfer_max{0.6, 0.9};
+  Limit track_rms_working_m_max{0.05, 0.15};
+  Limit track_error_m_max{0.30, 1.0};  // worst, implement down
+  Limit boundary_overrun_m_max{0.05, 0.5};
+  Limit reserve_soc_min{0.20, 0.10};
+};
+
+enum class Grade { kPass, kWarn, kFail };
+
+struct Reason {
+  Grade grade = Grade::kPass;
+  std::string figure;  // key of the limit, or "outcome"
+  double value = 0.0;
+  double limit = 0.0;
+  std::optional<Eigen::Vector2d> p_W;
+  std::optional<double> time_s;
+  std::string text;  // one sentence for people
+};
+
+struct Verdict {
+  Grade grade = Grade::kPass;
+  std::vector<Reason> reasons;  // worst first; empty when all is well
+};
+
+Verdict judge(const Path& path, const RunRecord& run, const Metrics& metrics,
+              const VerdictLimits& limits);
+
+std::string_view grade_name(Grade grade);
+
+}  // namespace headland

@@ -1,0 +1,42 @@
+// Makes plans and foreign tracks drivable for one vehicle, inside the field.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/path.h"
+#include "planner/plan.h"
+#include "terrains/field.h"
+#include "terrains/track.h"
+#include "vehicle_models/vehicle.h"
+
+namespace headland {
+
+struct PathOptions {
+  double clearance_m = 0.1;    // kept between hull and boundary, holes and obstacles
+  bool allow_overrun = false;  // record what does not fit as violations instead of refusing
+};
+
+// Joins the passes of `plan` in their order by the cheapest turn that fits: U, omega, three-point,
+// any Dubins or Reeds-Shepp curve, or a route around what is in the way (hybrid A*). Swaths are
+// shifted along their direction so that the implement, not the axle, works from end to end. The
+// path begins at the field's entry, if it has one.
+// Throws PlanInfeasible naming the place and the headland width that would do when a turn does not
+// fit and overruns are not allowed.
+Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
+               const PathOptions& options);
+
+// What make_drivable did to a track, for the user.
+struct TrackReport {
+  int pieces = 0;                  // after cutting at gaps and undrivable corners
+  int cut_corners = 0;             // corners tighter than the vehicle, replaced by turns
+  double max_deviation_m = 0.0;    // of the driven line from the track's points
+  std::vector<std::string> notes;  // each with a place
+};
+
+// Cuts the track where it has gaps, jumps or corners tighter than the vehicle can steer, smooths
+// the pieces within `tolerance_m`, and joins them like the passes of a plan.
+Path make_drivable(const Field& field, const Vehicle& vehicle, const Track& track,
+                   double tolerance_m, const PathOptions& options, TrackReport* report);
+
+}  // namespace headland

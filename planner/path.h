@@ -1,0 +1,56 @@
+// A path: a plan made drivable for one vehicle.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace headland {
+
+enum class PathKind { kSwath, kHeadlandPass, kTurn, kUTurn, kTransit };
+enum class Gear { kForward, kReverse };
+
+// Where the rear-axle centre is to be. `heading_rad` is the direction of the body's x axis
+// (counter-clockwise from +x of W), in reverse gear the motion is opposite to it.
+// `curvature_per_m` is the signed curvature of the curve that the body x axis follows, positive
+// to the left: tan(steer) / wheelbase in either gear.
+struct PathPoint {
+  Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
+  double heading_rad = 0.0;
+  double curvature_per_m = 0.0;
+};
+
+// Points of one kind and one gear, at most kPathSpacing apart. The last point of a segment is the
+// first of the next one. A turn with cusps is several segments with the same `manoeuvre`.
+struct PathSegment {
+  PathKind kind = PathKind::kSwath;
+  Gear gear = Gear::kForward;
+  bool implement_down = false;
+  int manoeuvre = 0;  // counts up along the path; one swath, one turn, one transit each
+  std::vector<PathPoint> points;
+};
+
+inline constexpr double kPathSpacing_m = 0.25;
+
+// A place where the path leaves the field, enters a hole or meets an obstacle with the hull, or
+// is tighter than the vehicle can steer, by how much [m].
+struct PathViolation {
+  Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
+  int manoeuvre = 0;
+  double overrun_m = 0.0;
+  std::string what;
+};
+
+struct Path {
+  std::vector<PathSegment> segments;
+  std::vector<PathViolation> violations;  // empty unless overruns were allowed
+};
+
+double length_m(const PathSegment& segment);
+double length_m(const Path& path);
+
+std::string_view path_kind_name(PathKind kind);
+std::string_view gear_name(Gear gear);
+
+}  // namespace headland

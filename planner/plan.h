@@ -1,0 +1,54 @@
+// A plan: what to cover and in which order. No time, no vehicle dynamics.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "terrains/field.h"
+#include "terrains/heightfield.h"
+#include "terrains/parameter.h"
+
+namespace headland {
+
+enum class PassKind { kSwath, kHeadlandPass };
+
+// A line p_W [m] along which the middle of the implement works, from front() to back(). A swath
+// has two points, a headland pass is a rounded ring cut open, never tighter than the radius of the
+// request.
+struct Pass {
+  PassKind kind = PassKind::kSwath;
+  std::vector<Eigen::Vector2d> points_W;
+};
+
+struct PlanRequest {
+  Field field;
+  const Heightfield* terrain = nullptr;  // not owned; may be null for planners that are flat
+  double working_width_m = 0.0;
+  double turning_radius_m = 0.0;  // planning radius of the vehicle
+  double vehicle_width_m = 0.0;   // hull, without implement
+  double vehicle_front_m = 0.0;   // hull ahead of the rear axle
+  double vehicle_rear_m = 0.0;    // hull (with raised implement) behind the rear axle
+  Parameters parameters;          // resolved against the planner's specs
+  std::uint64_t seed = 1;
+};
+
+struct Plan {
+  std::string planner;
+  std::vector<Pass> passes;
+  double swath_direction_rad = 0.0;  // of the first swath's line, 0..pi
+  double headland_width_m = 0.0;
+  double planned_length_m = 0.0;  // of the passes alone
+};
+
+// No plan or no drivable path exists for this request; what() says why and what would help.
+struct PlanInfeasible : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+std::string_view pass_kind_name(PassKind kind);
+
+}  // namespace headland

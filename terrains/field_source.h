@@ -1,0 +1,36 @@
+// Where a field comes from: a vector file or coordinates in the scenario.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "terrains/field.h"
+
+namespace headland {
+
+// As a scenario gives it. Coordinates are x,y in `crs`; an empty crs with inline coordinates means
+// plain local metres (no place on the earth), and with a file means the file's own CRS.
+struct FieldSource {
+  std::filesystem::path file;  // empty: inline coordinates
+  std::string layer;           // empty: the only or first layer with polygons
+  std::string crs;
+  Ring boundary;
+  std::vector<Ring> holes;
+  std::vector<Obstacle> obstacles;       // p_W holds x,y in `crs` (of the file: WGS 84 lon,lat)
+  std::optional<Eigen::Vector2d> entry;  // likewise
+};
+
+// Reads a field from anything GDAL's vector drivers read (GeoJSON, GPKG, shapefile, KML, GML), or
+// from inline coordinates, brings it into the local frame W whose origin is the boundary's centre
+// rounded to 1e-4 deg, orients the rings and checks them. `source` is the scenario's file name for
+// messages. Throws InputError: missing or unreadable file, no polygon, several polygons (names the
+// largest), no CRS, empty or self-intersecting boundary (with the place), hole or obstacle or entry
+// outside the field, NaN, degrees taken for metres.
+Field read_field(const FieldSource& field, const std::string& source);
+
+// Establishes Field's invariants on rings already in W; throws InputError as above.
+void check_field(Field& field, const std::string& source);
+
+}  // namespace headland

@@ -1,0 +1,54 @@
+// Where a terrain comes from: a raster or a named generator with a seed.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "terrains/field.h"
+#include "terrains/heightfield.h"
+#include "terrains/parameter.h"
+
+namespace headland {
+
+// Roughness added to any terrain: a Gaussian random surface of the stated rms height and
+// correlation length. 0 rms: none.
+struct MicroRelief {
+  double rms_m = 0.0;
+  double correlation_m = 1.0;
+};
+
+struct TerrainSource {
+  std::filesystem::path file;  // raster; empty: generator
+  std::string crs;             // of a raster without one; empty: the raster's own
+  std::string generator = "flat";
+  Parameters parameters;   // of the generator, resolved
+  double cell_m = 0.0;     // 0: 1 m for generators, min(native, 1 m) for rasters
+  double margin_m = 30.0;  // terrain needed around the field; see read_terrain
+  MicroRelief micro_relief;
+  std::uint64_t seed = 1;
+};
+
+using HeightFunction = double (*)(double x_m, double y_m, const Parameters&, std::uint64_t seed);
+
+// Generators give a height at p_W relative to the middle of the field's bounding box.
+struct GeneratorEntry {
+  std::string_view name;
+  std::string_view what;
+  HeightFunction height_m;
+  std::span<const ParameterSpec> parameters;
+};
+
+std::span<const GeneratorEntry> generators();
+
+// The terrain over the field's bounding box plus margin, in W. A raster in any CRS is warped into
+// W with cubic splines; the margin may lie outside a raster or in nodata (the nearest heights are
+// carried outwards), the field itself may not. Throws InputError: missing or unreadable file,
+// raster without CRS, not covering the field (percentage missing), nodata inside the field (area,
+// place), too large for memory (bytes needed and allowed), unknown generator (nearest name).
+Heightfield read_terrain(const TerrainSource& terrain, const Field& field,
+                         const std::string& source);
+
+}  // namespace headland
