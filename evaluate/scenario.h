@@ -22,12 +22,12 @@ struct PlannerChoice {
 
 struct Scenario {
   std::filesystem::path file;  // it was read from; relative paths in it start at its folder
-  std::string name;
+  std::string name;            // default: the file's stem
   FieldSource field;
   TerrainSource terrain;
   std::string soil = "firm";
-  std::string vehicle;
-  double working_width_m = 0.0;  // 0: the vehicle's implement as it is
+  std::string vehicle;           // name of a built-in one or an absolute folder
+  double working_width_m = 0.0;  // default: of the vehicle's implement
   PlannerChoice planner;
   PathOptions path;
   SimulationOptions simulation;
@@ -36,11 +36,15 @@ struct Scenario {
   std::uint64_t seed = 1;
 };
 
-// Reads and resolves a scenario. Throws InputError with file, line and key for malformed YAML, an
-// unknown key (with the nearest known one), a missing one, or a value out of its range.
-Scenario read_scenario(const std::filesystem::path& file);
+// Reads and resolves a scenario: defaults filled in, parameters completed, file paths absolute.
+// `seed` replaces the file's own and, unless the file names one for it, the terrain's. Throws
+// InputError with file, line and key path for malformed YAML, an unknown key (with the nearest
+// known one), a key given twice, a missing one, a value out of its range, an unknown soil, vehicle,
+// planner or generator, or a file that is not there. Every key: docs/scenario.md.
+Scenario read_scenario(const std::filesystem::path& file,
+                       std::optional<std::uint64_t> seed = std::nullopt);
 
-// The scenario with every default written out and file paths made absolute, as YAML.
+// The scenario with every default written out, as YAML. Reading it gives the same scenario.
 std::string scenario_yaml(const Scenario& scenario);
 
 // What a scenario describes, loaded.
@@ -48,8 +52,10 @@ struct Stage {
   Field field;
   Heightfield terrain;
   Soil soil;
-  Vehicle vehicle;
+  Vehicle vehicle;  // with the scenario's working width
 };
+
+// Throws InputError as read_field, read_terrain and load_vehicle do.
 Stage load_stage(const Scenario& scenario);
 
 }  // namespace headland

@@ -1,0 +1,112 @@
+#include "evaluate/scenario_keys.h"
+
+namespace headland {
+namespace {
+
+constexpr NumberKey kNumbers[] = {
+    {"terrain.cell_m", 0.0, 100.0, [](Scenario& s) -> double& { return s.terrain.cell_m; }},
+    {"terrain.margin_m", 1.0, 1000.0, [](Scenario& s) -> double& { return s.terrain.margin_m; }},
+    {"terrain.micro_relief.rms_m", 0.0, 0.5,
+     [](Scenario& s) -> double& { return s.terrain.micro_relief.rms_m; }},
+    {"terrain.micro_relief.correlation_m", 0.05, 100.0,
+     [](Scenario& s) -> double& { return s.terrain.micro_relief.correlation_m; }},
+    {"implement.working_width_m", 0.2, 60.0,
+     [](Scenario& s) -> double& { return s.working_width_m; }},
+    {"path.clearance_m", 0.0, 20.0, [](Scenario& s) -> double& { return s.path.clearance_m; }},
+    {"simulation.rate_hz", 60.0, 2000.0,
+     [](Scenario& s) -> double& { return s.simulation.rate_hz; }},
+    {"simulation.record_hz", 0.01, 2000.0,
+     [](Scenario& s) -> double& { return s.simulation.record_hz; }},
+    {"simulation.soc_start", 0.05, 1.0,
+     [](Scenario& s) -> double& { return s.simulation.soc_start; }},
+    {"simulation.max_time_s", 0.0, 1e6,
+     [](Scenario& s) -> double& { return s.simulation.max_time_s; }},
+    {"simulation.max_overrun_m", 0.0, 1000.0,
+     [](Scenario& s) -> double& { return s.simulation.max_overrun_m; }},
+    {"simulation.footprint_spacing_m", 0.01, 1.0,
+     [](Scenario& s) -> double& { return s.simulation.footprint_spacing_m; }},
+    {"coverage.cell_m", 0.02, 5.0, [](Scenario& s) -> double& { return s.coverage_cell_m; }},
+};
+
+constexpr LimitKey kLimits[] = {
+    {"verdict.coverage_ratio_min", true, 1.0,
+     [](Scenario& s) -> Limit& { return s.verdict.coverage_ratio_min; }},
+    {"verdict.overlap_ratio_max", false, 10.0,
+     [](Scenario& s) -> Limit& { return s.verdict.overlap_ratio_max; }},
+    {"verdict.outside_area_ratio_max", false, 10.0,
+     [](Scenario& s) -> Limit& { return s.verdict.outside_area_ratio_max; }},
+    {"verdict.slip_max", false, 1.0, [](Scenario& s) -> Limit& { return s.verdict.slip_max; }},
+    {"verdict.load_transfer_max", false, 1.0,
+     [](Scenario& s) -> Limit& { return s.verdict.load_transfer_max; }},
+    {"verdict.track_rms_working_m_max", false, 100.0,
+     [](Scenario& s) -> Limit& { return s.verdict.track_rms_working_m_max; }},
+    {"verdict.track_error_m_max", false, 100.0,
+     [](Scenario& s) -> Limit& { return s.verdict.track_error_m_max; }},
+    {"verdict.boundary_overrun_m_max", false, 1000.0,
+     [](Scenario& s) -> Limit& { return s.verdict.boundary_overrun_m_max; }},
+    {"verdict.reserve_soc_min", true, 1.0,
+     [](Scenario& s) -> Limit& { return s.verdict.reserve_soc_min; }},
+};
+
+// Sections, words, flags, coordinates and whole numbers.
+constexpr std::string_view kOtherKeys[] = {
+    "name",
+    "field",
+    "field.file",
+    "field.layer",
+    "field.crs",
+    "field.boundary",
+    "field.holes",
+    "field.obstacles",
+    "field.obstacles.kind",
+    "field.obstacles.at",
+    "field.obstacles.radius_m",
+    "field.obstacles.height_m",
+    "field.entry",
+    "terrain",
+    "terrain.file",
+    "terrain.crs",
+    "terrain.generator",
+    "terrain.micro_relief",
+    "terrain.seed",
+    "soil",
+    "vehicle",
+    "implement",
+    "planner",
+    "planner.name",
+    "path",
+    "path.allow_overrun",
+    "simulation",
+    "coverage",
+    "verdict",
+    "seed",
+};
+
+}  // namespace
+
+std::span<const NumberKey> number_keys() { return kNumbers; }
+
+std::span<const LimitKey> limit_keys() { return kLimits; }
+
+std::vector<std::string> scenario_key_paths() {
+  std::vector<std::string> paths(std::begin(kOtherKeys), std::end(kOtherKeys));
+  for (const NumberKey& key : kNumbers) paths.emplace_back(key.path);
+  for (const LimitKey& key : kLimits) {
+    const std::string path(key.path);
+    paths.insert(paths.end(), {path, path + ".warn", path + ".fail"});
+  }
+  return paths;
+}
+
+std::vector<std::string> keys_in_section(std::string_view section) {
+  const std::string prefix = section.empty() ? "" : std::string(section) + ".";
+  std::vector<std::string> keys;
+  for (const std::string& path : scenario_key_paths()) {
+    if (!path.starts_with(prefix)) continue;
+    const std::string key = path.substr(prefix.size());
+    if (!key.empty() && key.find('.') == std::string::npos) keys.push_back(key);
+  }
+  return keys;
+}
+
+}  // namespace headland

@@ -1,0 +1,275 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "evaluate/scenario.h"
+#include "evaluate/scenario_keys.h"
+#include "evaluate/yaml_section.h"
+#include "planner/planners.h"
+#include "terrains/input_error.h"
+#include "terrains/soil.h"
+#include "vehicle_models/vehicle_loader.h"
+
+namespace headland {
+namespace {
+
+namespace fs = std::filesystem;
+
+void read_numbers(const YamlSection& section, Scenario& scenario) {
+  const std::string prefix = section.path + ".";
+  for (const NumberKey& key : number_keys()) {
+    if (!key.path.starts_with(prefix)) continue;
+    const std::string_view name = key.path.substr(prefix.size());
+    if (const auto value = read_number(section, name, key.min, key.max)) {
+      key.value(scenario) = *value;
+    }
+  }
+}
+
+// A section whose keys are all numbers of the table or among `others`, which the caller reads.
+std::optional<YamlSection> numbers_section(const YamlSection& top, std::string_view name,
+                                           Scenario& scenario) {
+  const auto section = read_section(top, name);
+  if (section) {
+    refuse_unknown_keys(*section, keys_in_section(section->path));
+    read_numbers(*section, scenario);
+  }
+  return section;
+}
+
+fs::path read_file_name(const YamlSection& section, std::string_view key, const fs::path& folder) {
+  const auto name = read_word(section, key);
+  if (!name) return {};
+  const fs::path file = (folder / *name).lexically_normal();
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) {
+    throw InputError(section.source, place_of(section, key), file.string(), "no such file");
+  }
+  return file;
+}
+
+ObstacleKind read_obstacle_kind(const YamlSection& section) {
+  const std::string name = read_word(section, "kind").value_or("tree");
+  std::vector<std::string> known;
+  for (const ObstacleKind kind : {ObstacleKind::kTree, ObstacleKind::kPole, ObstacleKind::kRock}) {
+    if (obstacle_kind_name(kind) == name) return kind;
+    known.emplace_back(obstacle_kind_name(kind));
+  }
+  throw InputError(section.source, place_of(section, "kind"), name,
+                   fmt::format("unknown obstacle; known: {}", fmt::join(known, ", ")));
+}
+
+Obstacle read_obstacle(const YamlSection& section) {
+  refuse_unknown_keys(section, keys_in_section(section.path));
+  Obstacle obstacle;
+  obstacle.kind = read_obstacle_kind(section);
+  const auto at = read_point(section, "at");
+  if (!at) {
+    throw InputError(section.source, place_of(section, "at"), "", "the key is missing: [x, y]");
+  }
+  obstacle.p_W = *at;
+  obstacle.radius_m = read_number(section, "radius_m", 0.01, 50.0).value_or(obstacle.radius_m);
+  obstacle.height_m = read_number(section, "height_m", 0.01, 100.0).value_or(obstacle.height_m);
+  return obstacle;
+}
+
+FieldSource read_field_source(const YamlSection& top, const fs::path& folder) {
+  const auto section = read_section(top, "field");
+  if (!section) {
+    throw InputError(top.source, "field", "", "the section is missing: a file or a boundary");
+  }
+  refuse_unknown_keys(*section, keys_in_section("field"));
+  FieldSource field;
+  field.file = read_file_name(*section, "file", folder);
+  field.layer = read_word(*section, "layer").value_or("");
+  field.crs = read_word(*section, "crs").value_or("");
+  field.boundary = read_points(*section, "boundary").value_or(Ring{});
+  field.holes = read_point_lists(*section, "holes").value_or(std::vector<Ring>{});
+  field.entry = read_point(*section, "entry");
+  for (const YamlSection& obstacle :
+       read_sections(*section, "obstacles").value_or(std::vector<YamlSection>{})) {
+    field.obstacles.push_back(read_obstacle(obstacle));
+  }
+  const bool inline_boundary = static_cast<bool>(read_points(*section, "boundary"));
+  if (field.file.empty() != inline_boundary) {
+    throw InputError(top.source, place_of(*section, inline_boundary ? "boundary" : "file"), "",
+                     "either field.file or field.boundary is needed, and not both");
+  }
+  if (!field.file.empty() && !field.holes.empty()) {
+    throw InputError(top.source, place_of(*section, "holes"), "",
+                     "only with field.boundary: the holes of a field.file are those in the file");
+  }
+  return field;
+}
+
+std::vector<std::string> names_of(std::span<const ParameterSpec> specs) {
+  std::vector<std::string> names;
+  for (const ParameterSpec& spec : specs) names.emplace_back(spec.name);
+  return names;
+}
+
+// Parameters stand beside the section's own keys. One at a time, so that a message has its line.
+Parameters read_parameters(const YamlSection& section, std::span<const ParameterSpec> specs) {
+  Parameters given;
+  for (const ParameterSpec& spec : specs) {
+    const std::string name(spec.name);
+    const auto text = read_word(section, name);
+    if (!text) continue;
+    const auto value = parse_number(*text);
+    // A word where a number belongs (or NaN) is refused by resolve_parameters, which knows.
+    const ParameterValue parameter =
+        value && spec.choices.empty() ? ParameterValue(*value) : ParameterValue(*text);
+    const std::string place = place_of(section, name);
+    const std::string where = place.substr(0, place.size() - name.size() - 1);
+    resolve_parameters(specs, {{name, parameter}}, section.source, where);
+    given[name] = parameter;
+  }
+  return resolve_parameters(specs, given, section.source, section.path);
+}
+
+const GeneratorEntry& find_generator(const YamlSection& section, const std::string& name) {
+  std::vector<std::string> known;
+  for (const GeneratorEntry& entry : generators()) {
+    if (entry.name == name) return entry;
+    known.emplace_back(entry.name);
+  }
+  throw InputError(section.source, place_of(section, "generator"), name,
+                   fmt::format("unknown generator; did you mean '{}'? (known: {})",
+                               nearest_name(name, known), fmt::join(known, ", ")));
+}
+
+void read_terrain_source(const YamlSection& top, const fs::path& folder, Scenario& scenario) {
+  TerrainSource& terrain = scenario.terrain;
+  terrain.seed = scenario.seed;
+  // An absent section is an empty one: flat ground.
+  const YamlSection section =
+      read_section(top, "terrain")
+          .value_or(YamlSection{top.source, "terrain", YAML::Node(YAML::NodeType::Map)});
+  terrain.file = read_file_name(section, "file", folder);
+  terrain.crs = read_word(section, "crs").value_or("");
+  const auto generator = read_word(section, "generator");
+  if (generator && !terrain.file.empty()) {
+    throw InputError(top.source, place_of(section, "generator"), *generator,
+                     "either terrain.file or terrain.generator, not both");
+  }
+  std::vector<std::string> known = keys_in_section("terrain");
+  if (terrain.file.empty()) {
+    const GeneratorEntry& entry = find_generator(section, generator.value_or(terrain.generator));
+    terrain.generator = entry.name;
+    const std::vector<std::string> own = names_of(entry.parameters);
+    known.insert(known.end(), own.begin(), own.end());
+    refuse_unknown_keys(section, known);
+    terrain.parameters = read_parameters(section, entry.parameters);
+  } else {
+    refuse_unknown_keys(section, known);
+  }
+  read_numbers(section, scenario);
+  terrain.seed = read_whole_number(section, "seed").value_or(terrain.seed);
+  numbers_section(section, "micro_relief", scenario);
+}
+
+std::string read_soil(const YamlSection& top, const std::string& default_name) {
+  const std::string name = read_word(top, "soil").value_or(default_name);
+  std::vector<std::string> known;
+  for (const Soil& soil : soils()) known.emplace_back(soil.name);
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    throw InputError(top.source, place_of(top, "soil"), name,
+                     fmt::format("unknown soil; did you mean '{}'? (known: {})",
+                                 nearest_name(name, known), fmt::join(known, ", ")));
+  }
+  return name;
+}
+
+// The vehicle's name; a folder (told by its slash) starts at the scenario's own.
+std::string read_vehicle(const YamlSection& top, const fs::path& folder) {
+  const auto name = read_word(top, "vehicle");
+  const std::vector<std::string> known = vehicle_names();
+  const std::string list = fmt::format("{}", fmt::join(known, ", "));
+  if (!name) {
+    throw InputError(top.source, "vehicle", "", "the key is missing: a folder or one of " + list);
+  }
+  if (name->find('/') != std::string::npos) return (folder / *name).lexically_normal().string();
+  if (std::find(known.begin(), known.end(), *name) == known.end()) {
+    throw InputError(top.source, place_of(top, "vehicle"), *name,
+                     fmt::format("unknown vehicle; did you mean '{}'? (known: {}, or a folder)",
+                                 nearest_name(*name, known), list));
+  }
+  return *name;
+}
+
+PlannerChoice read_planner(const YamlSection& top) {
+  PlannerChoice choice;
+  const YamlSection section =
+      read_section(top, "planner")
+          .value_or(YamlSection{top.source, "planner", YAML::Node(YAML::NodeType::Map)});
+  const auto name = read_word(section, "name");
+  const std::string place = place_of(section, "name");
+  const PlannerEntry& entry = find_planner(name.value_or(choice.name),
+                                           top.source + ": " + place.substr(0, place.find(':')));
+  choice.name = entry.name;
+  std::vector<std::string> known = keys_in_section("planner");
+  const std::vector<std::string> own = names_of(entry.parameters);
+  known.insert(known.end(), own.begin(), own.end());
+  refuse_unknown_keys(section, known);
+  choice.parameters = read_parameters(section, entry.parameters);
+  return choice;
+}
+
+void read_verdict(const YamlSection& top, Scenario& scenario) {
+  const auto verdict = read_section(top, "verdict");
+  if (!verdict) return;
+  refuse_unknown_keys(*verdict, keys_in_section("verdict"));
+  for (const LimitKey& key : limit_keys()) {
+    const std::string name(key.path.substr(verdict->path.size() + 1));
+    const auto section = read_section(*verdict, name);
+    if (!section) continue;
+    refuse_unknown_keys(*section, {"warn", "fail"});
+    Limit& limit = key.value(scenario);
+    limit.warn = read_number(*section, "warn", 0.0, key.max).value_or(limit.warn);
+    limit.fail = read_number(*section, "fail", 0.0, key.max).value_or(limit.fail);
+    if (key.more_is_better ? limit.warn < limit.fail : limit.warn > limit.fail) {
+      throw InputError(top.source, place_of(*verdict, name),
+                       fmt::format("warn {}, fail {}", limit.warn, limit.fail),
+                       key.more_is_better ? "fail must not be above warn: more is better here"
+                                          : "fail must not be below warn: less is better here");
+    }
+  }
+}
+
+}  // namespace
+
+Scenario read_scenario(const fs::path& file, std::optional<std::uint64_t> seed) {
+  const YamlSection top = read_yaml(file);
+  refuse_unknown_keys(top, keys_in_section(""));
+  const fs::path folder = fs::absolute(file).parent_path();
+
+  Scenario scenario;
+  scenario.file = file;
+  scenario.name = read_word(top, "name").value_or(file.stem().string());
+  scenario.seed = seed.value_or(read_whole_number(top, "seed").value_or(scenario.seed));
+  scenario.field = read_field_source(top, folder);
+  read_terrain_source(top, folder, scenario);
+  scenario.soil = read_soil(top, scenario.soil);
+  scenario.vehicle = read_vehicle(top, folder);
+  scenario.working_width_m = load_vehicle(scenario.vehicle).implement.working_width_m;
+  numbers_section(top, "implement", scenario);
+  scenario.planner = read_planner(top);
+  if (const auto path = numbers_section(top, "path", scenario)) {
+    scenario.path.allow_overrun =
+        read_flag(*path, "allow_overrun").value_or(scenario.path.allow_overrun);
+  }
+  if (const auto simulation = numbers_section(top, "simulation", scenario)) {
+    if (scenario.simulation.record_hz > scenario.simulation.rate_hz) {
+      throw InputError(
+          top.source, place_of(*simulation, "record_hz"),
+          fmt::format("{}", scenario.simulation.record_hz),
+          fmt::format("must not be above simulation.rate_hz, {}", scenario.simulation.rate_hz));
+    }
+  }
+  numbers_section(top, "coverage", scenario);
+  read_verdict(top, scenario);
+  return scenario;
+}
+
+}  // namespace headland

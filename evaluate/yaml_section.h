@@ -1,0 +1,50 @@
+// A mapping of a YAML file that knows where it stands, and values read from it: whatever is wrong
+// throws InputError(file, "line N: section.key", value, what is allowed).
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace headland {
+
+struct YamlSection {
+  std::string source;  // the file
+  std::string path;    // key path, "" for the file itself
+  YAML::Node node;     // a mapping
+};
+
+// The file's top mapping. Throws for a missing file, malformed YAML, anything but one mapping.
+YamlSection read_yaml(const std::filesystem::path& file);
+
+// Throws for a key that is not in `known` (says the nearest one) and for a key given twice.
+void refuse_unknown_keys(const YamlSection& section, const std::vector<std::string>& known);
+
+// "line N: section.key"; the section's own line when the key is absent.
+std::string place_of(const YamlSection& section, std::string_view key);
+
+// Values of a key; nullopt when the key is absent.
+std::optional<YamlSection> read_section(const YamlSection& section, std::string_view key);
+std::optional<std::string> read_word(const YamlSection& section, std::string_view key);
+std::optional<double> read_number(const YamlSection& section, std::string_view key, double min,
+                                  double max);
+std::optional<std::uint64_t> read_whole_number(const YamlSection& section, std::string_view key);
+std::optional<bool> read_flag(const YamlSection& section, std::string_view key);
+std::optional<Eigen::Vector2d> read_point(const YamlSection& section, std::string_view key);
+std::optional<std::vector<Eigen::Vector2d>> read_points(const YamlSection& section,
+                                                        std::string_view key);
+std::optional<std::vector<std::vector<Eigen::Vector2d>>> read_point_lists(
+    const YamlSection& section, std::string_view key);
+std::optional<std::vector<YamlSection>> read_sections(const YamlSection& section,
+                                                      std::string_view key);
+
+// The number that a text holds, all of it, finite; nullopt for anything else.
+std::optional<double> parse_number(std::string_view text);
+
+}  // namespace headland
