@@ -1,0 +1,61 @@
+// Polygon sets in the plane and the set operations on them, computed by GEOS.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "terrains/field.h"
+
+namespace headland {
+
+// Open line p_W [m]. A closed one repeats its first point at the end.
+using Polyline = std::vector<Eigen::Vector2d>;
+
+// One connected piece of ground: `outer` runs counter-clockwise, `holes` run clockwise, and no
+// ring repeats its first point.
+struct PolygonPart {
+  Ring outer;
+  std::vector<Ring> holes;
+};
+
+// Pieces that share no inner point, in the order GEOS gives them, which depends on the input alone.
+struct PolygonSet {
+  std::vector<PolygonPart> parts;
+};
+
+enum class Join { kMitre, kRound };
+
+// Chords in a quarter of a circle: a chord's middle is 1 - cos(90/24/2 deg) = 0.05 % of the radius
+// inside the circle.
+inline constexpr int kQuadrantSegments = 24;
+// A mitre reaches at most this many distances beyond its corner; sharper corners are bevelled.
+inline constexpr double kMitreLimit = 5.0;
+
+// All functions below throw InputError when GEOS cannot work with the rings (they cross
+// themselves).
+
+// The field's ground: boundary minus holes minus a disc of radius_m + obstacle_margin_m around
+// every obstacle. Discs are circumscribed polygons, never smaller than the circle.
+PolygonSet from_field(const Field& field, double obstacle_margin_m = 0.0);
+
+// Grown by distance_m (shrunk when negative). kRound joins are exact offsets but for the chords,
+// kMitre joins keep corners sharp.
+PolygonSet buffered(const PolygonSet& set, double distance_m, Join join,
+                    int quadrant_segments = kQuadrantSegments);
+
+PolygonSet difference(const PolygonSet& a, const PolygonSet& b);
+PolygonSet intersection(const PolygonSet& a, const PolygonSet& b);
+PolygonSet united(std::span<const PolygonSet> sets);
+
+// What a bar of width_m leaves worked when its middle is pulled along `line`: flat ends, round
+// joins. Empty for a line without length.
+PolygonSet strip(const Polyline& line, double width_m);
+
+// The pieces of `line` inside `set`, in the line's order and direction.
+std::vector<Polyline> clip_line(const Polyline& line, const PolygonSet& set);
+
+double area_m2(const PolygonSet& set);
+double length_m(const Polyline& line);
+
+}  // namespace headland
