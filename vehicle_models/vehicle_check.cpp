@@ -1,0 +1,138 @@
+#include "vehicle_models/vehicle_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "terrains/input_error.h"
+#include "vehicle_models/vehicle_figures.h"
+
+namespace headland {
+namespace {
+
+constexpr double kGravity_mps2 = 9.80665;
+
+[[noreturn]] void refuse(const std::string& source, std::string_view key, double value,
+                         std::string allowed) {
+  throw InputError(source, std::string(key), fmt::format("{:g}", value), std::move(allowed));
+}
+
+void check_body(const Vehicle& vehicle, const std::string& source) {
+  const Body& body = vehicle.body;
+  const Eigen::Vector3d& inertia = body.inertia_kg_m2;
+  if (2.0 * inertia.maxCoeff() > inertia.sum()) {
+    refuse(source, "body.inertia_kg_m2", inertia.maxCoeff(),
+           "no rigid body has one moment of inertia larger than the sum of the other two");
+  }
+  if (body.com_B.x() <= 0.0 || body.com_B.x() >= wheelbase_m(vehicle)) {
+    refuse(source, "body.com_B", body.com_B.x(),
+           fmt::format("the centre of mass must lie between the axles, x in (0, {:g}) m",
+                       wheelbase_m(vehicle)));
+  }
+  if (body.com_B.z() > body.height_m) {
+    refuse(source, "body.com_B", body.com_B.z(),
+           fmt::format("the centre of mass must lie in the hull, z below {:g} m", body.height_m));
+  }
+  if (body.ground_clearance_m >= body.height_m) {
+    refuse(source, "body.ground_clearance_m", body.ground_clearance_m,
+           fmt::format("must be below body.height_m, {:g} m", body.height_m));
+  }
+  if (body.rear_overhang_m >= body.length_m) {
+    refuse(source, "body.rear_overhang_m", body.rear_overhang_m,
+           fmt::format("must be below body.length_m, {:g} m", body.length_m));
+  }
+}
+
+void check_axle(const Vehicle& vehicle, const Axle& axle, double load_n, const std::string& name,
+                const std::string& source) {
+  if (axle.radius_m < vehicle.body.ground_clearance_m) {
+    refuse(source, name + ".radius_m", axle.radius_m,
+           fmt::format("must be at least body.ground_clearance_m, {:g} m, or the axle would hang "
+                       "below the hull",
+                       vehicle.body.ground_clearance_m));
+  }
+  const double sag_m = 0.5 * load_n / axle.vertical_stiffness_n_per_m;
+  if (sag_m > kMaxStaticDeflection * axle.radius_m) {
+    refuse(source, name + ".vertical_stiffness_n_per_m", axle.vertical_stiffness_n_per_m,
+           fmt::format("the tyre would sag {:.2f} m at rest; at least {:.0f} N/m", sag_m,
+                       0.5 * load_n / (kMaxStaticDeflection * axle.radius_m)));
+  }
+}
+
+void check_axles(const Vehicle& vehicle, const std::string& source) {
+  if (vehicle.rear.x_B_m != 0.0) {
+    refuse(source, "rear.x_B_m", vehicle.rear.x_B_m, "must be 0: frame B starts there");
+  }
+  const AxleLoads loads = static_axle_loads(vehicle);
+  const double weight_n = loads.rear_n + loads.front_n;
+  if (loads.front_n < kMinFrontLoadShare * weight_n) {
+    refuse(source, "implement.mass_kg", vehicle.implement.mass_kg,
+           fmt::format("with it raised the front axle carries {:.0f} % of the weight; at least "
+                       "{:.0f} % is needed to steer",
+                       100.0 * loads.front_n / weight_n, 100.0 * kMinFrontLoadShare));
+  }
+  check_axle(vehicle, vehicle.rear, loads.rear_n, "rear", source);
+  check_axle(vehicle, vehicle.front, loads.front_n, "front", source);
+  if (!vehicle.rear.driven && !vehicle.front.driven) {
+    throw InputError(source, "rear.driven", "false", "at least one axle must be driven");
+  }
+  if (vehicle.rear.driven && vehicle.front.driven &&
+      std::abs(vehicle.rear.radius_m - vehicle.front.radius_m) > 0.02 * vehicle.rear.radius_m) {
+    refuse(source, "front.radius_m", vehicle.front.radius_m,
+           fmt::format("one gear ratio drives both axles: within 2 % of rear.radius_m, {:g} m, or "
+                       "only one axle driven",
+                       vehicle.rear.radius_m));
+  }
+}
+
+void check_drive(const Vehicle& vehicle, const std::string& source) {
+  const Driver& driver = vehicle.driver;
+  const double fastest_mps = std::max({driver.work_speed_mps, driver.turn_speed_mps,
+                                       driver.transit_speed_mps, driver.reverse_speed_mps});
+  const double top_mps = top_speed_mps(vehicle);
+  if (top_mps < fastest_mps) {
+    refuse(source, "drivetrain.gear_ratio", vehicle.drivetrain.gear_ratio,
+           fmt::format("reaches {:.2f} m/s, the driver wants {:.2f} m/s; at most {:.1f}", top_mps,
+                       fastest_mps, vehicle.drivetrain.gear_ratio * top_mps / fastest_mps));
+  }
+  const double draft_n = vehicle.implement.draft_n_per_m * vehicle.implement.working_width_m;
+  const double force_n = drive_force_n(vehicle, driver.work_speed_mps);
+  if (draft_n >= force_n) {
+    refuse(source, "implement.draft_n_per_m", vehicle.implement.draft_n_per_m,
+           fmt::format("draws {:.0f} N over {:g} m; the motor pulls {:.0f} N at {:g} m/s", draft_n,
+                       vehicle.implement.working_width_m, force_n, driver.work_speed_mps));
+  }
+  const double holding_nm = total_mass_kg(vehicle) * kGravity_mps2 *
+                            std::sin(std::atan(kParkingGrade)) *
+                            std::max(vehicle.rear.radius_m, vehicle.front.radius_m);
+  if (vehicle.drivetrain.brake_torque_max_nm < holding_nm) {
+    refuse(source, "drivetrain.brake_torque_max_nm", vehicle.drivetrain.brake_torque_max_nm,
+           fmt::format("at least {:.0f} N m to hold the machine on a {:.0f} % slope", holding_nm,
+                       100.0 * kParkingGrade));
+  }
+}
+
+void check_power(const Vehicle& vehicle, const std::string& source) {
+  const double wanted_w = motor_peak_input_w(vehicle.motor) + vehicle.implement.shaft_power_w +
+                          vehicle.battery.auxiliary_power_w;
+  const double available_w = max_battery_power_w(vehicle.battery);
+  if (available_w < wanted_w) {
+    refuse(source, "battery.resistance_ohm", vehicle.battery.resistance_ohm,
+           fmt::format("the nearly empty battery gives at most {:.1f} kW; motor, implement and "
+                       "auxiliaries draw up to {:.1f} kW",
+                       available_w / 1000.0, wanted_w / 1000.0));
+  }
+}
+
+}  // namespace
+
+void check_vehicle(const Vehicle& vehicle, const std::string& source) {
+  check_body(vehicle, source);
+  check_axles(vehicle, source);
+  check_drive(vehicle, source);
+  check_power(vehicle, source);
+}
+
+}  // namespace headland
