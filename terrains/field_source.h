@@ -10,8 +10,9 @@
 
 namespace headland {
 
-// As a scenario gives it. Coordinates are x,y in `crs`; an empty crs with inline coordinates means
-// plain local metres (no place on the earth), and with a file means the file's own CRS.
+// As a scenario gives it. Coordinates are x,y in `crs` (east or longitude first); an empty crs with
+// inline coordinates means plain local metres (W itself, with no place on the earth), and with a
+// file means the file's own CRS (GeoJSON: WGS 84, RFC 7946). A crs given with a file overrules it.
 struct FieldSource {
   std::filesystem::path file;  // empty: inline coordinates
   std::string layer;           // empty: the only or first layer with polygons
@@ -30,7 +31,18 @@ struct FieldSource {
 // outside the field, NaN, degrees taken for metres.
 Field read_field(const FieldSource& field, const std::string& source);
 
-// Establishes Field's invariants on rings already in W; throws InputError as above.
+// Establishes Field's invariants on rings already in W: repeated points are merged, a closing
+// point is dropped, rings are oriented. Throws InputError as above.
 void check_field(Field& field, const std::string& source);
+
+// Points nearer than this are one point, and rings nearer than this touch.
+inline constexpr double kSamePlace_m = 1e-3;
+// Outside of these a boundary is taken for coordinates in the wrong CRS.
+inline constexpr double kMinFieldExtent_m = 1.0;
+inline constexpr double kMaxFieldExtent_m = 20e3;
+// A gate may be digitised this far outside the boundary.
+inline constexpr double kEntryTolerance_m = 1.0;
+// Largest radius and height of an obstacle.
+inline constexpr double kMaxObstacle_m = 100.0;
 
 }  // namespace headland

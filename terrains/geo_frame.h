@@ -32,4 +32,8 @@ std::vector<Eigen::Vector2d> wgs84_from_crs(const std::string& crs,
                                             const std::vector<Eigen::Vector2d>& points,
                                             const std::string& source);
 
+// p_W as a person finds it on the map: "lon -93.9784060, lat 43.9210276", or "x 1.000 m, y 2.000 m"
+// when the frame has no place on the earth. For messages.
+std::string place_text(const GeoFrame& frame, const Eigen::Vector2d& p_W);
+
 }  // namespace headland

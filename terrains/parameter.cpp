@@ -1,0 +1,73 @@
+#include "terrains/parameter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "terrains/input_error.h"
+
+namespace headland {
+namespace {
+
+std::string value_text(const ParameterValue& value) {
+  if (const double* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+  return std::get<std::string>(value);
+}
+
+std::string allowed_text(const ParameterSpec& spec) {
+  if (spec.choices.empty()) return fmt::format("a number from {} to {}", spec.min, spec.max);
+  return fmt::format("one of {}", fmt::join(spec.choices, ", "));
+}
+
+bool allows(const ParameterSpec& spec, const ParameterValue& value) {
+  if (spec.choices.empty()) {
+    const double* number = std::get_if<double>(&value);
+    return number != nullptr && *number >= spec.min && *number <= spec.max;
+  }
+  const std::string* word = std::get_if<std::string>(&value);
+  return word != nullptr && std::ranges::find(spec.choices, *word) != spec.choices.end();
+}
+
+}  // namespace
+
+Parameters resolve_parameters(std::span<const ParameterSpec> specs, const Parameters& given,
+                              const std::string& source, const std::string& where) {
+  Parameters resolved;
+  for (const ParameterSpec& spec : specs) {
+    resolved.emplace(std::string(spec.name), spec.default_value);
+  }
+  for (const auto& [name, value] : given) {
+    const std::string key = where.empty() ? name : where + "." + name;
+    const auto spec = std::ranges::find(specs, name, &ParameterSpec::name);
+    if (spec == specs.end()) {
+      std::vector<std::string> names;
+      names.reserve(specs.size());
+      for (const ParameterSpec& known : specs) names.emplace_back(known.name);
+      throw InputError(source, key, "",
+                       names.empty()
+                           ? "unknown parameter; there are none here"
+                           : "unknown parameter; the nearest is " + nearest_name(name, names));
+    }
+    if (!allows(*spec, value)) {
+      throw InputError(source, key, value_text(value), allowed_text(*spec));
+    }
+    resolved[name] = value;
+  }
+  return resolved;
+}
+
+double number(const Parameters& parameters, const std::string& name) {
+  const auto found = parameters.find(name);
+  assert(found != parameters.end());
+  return std::get<double>(found->second);
+}
+
+const std::string& word(const Parameters& parameters, const std::string& name) {
+  const auto found = parameters.find(name);
+  assert(found != parameters.end());
+  return std::get<std::string>(found->second);
+}
+
+}  // namespace headland
