@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 #include <system_error>
 
 #include "terrains/input_error.h"
@@ -29,22 +30,42 @@ int write_all(int descriptor, std::string_view content) {
   return 0;
 }
 
-}  // namespace
+fs::path partial_name(const fs::path& folder, const FileText& file) {
+  return folder / fmt::format(".{}.partial", file.name);
+}
 
-void write_atomically(const fs::path& file, std::string_view content) {
-  const fs::path partial =
-      file.parent_path() / fmt::format(".{}.partial", file.filename().string());
+InputError cannot_write(const fs::path& file, int error) {
+  return {file.string(), "", "", "cannot be written: " + reason(error)};
+}
+
+void write_partial(const fs::path& folder, const FileText& file) {
+  const fs::path partial = partial_name(folder, file);
   const int descriptor = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0) {
-    throw InputError(file.string(), "", "", "cannot be written: " + reason(errno));
-  }
-  int error = write_all(descriptor, content);
+  if (descriptor < 0) throw cannot_write(folder / file.name, errno);
+  int error = write_all(descriptor, file.text);
   // Some file systems tell of a full disk only on closing.
   if (::close(descriptor) != 0 && error == 0) error = errno;
-  if (error == 0 && ::rename(partial.c_str(), file.c_str()) != 0) error = errno;
-  if (error == 0) return;
-  ::unlink(partial.c_str());
-  throw InputError(file.string(), "", "", "cannot be written: " + reason(error));
+  if (error != 0) throw cannot_write(folder / file.name, error);
+}
+
+}  // namespace
+
+void write_together(const fs::path& folder, const std::vector<FileText>& files) {
+  std::error_code error;
+  const bool created = fs::create_directories(folder, error);
+  if (error) throw InputError(folder.string(), "", "", "cannot be created: " + error.message());
+  try {
+    for (const FileText& file : files) write_partial(folder, file);
+    for (const FileText& file : files) {
+      if (::rename(partial_name(folder, file).c_str(), (folder / file.name).c_str()) != 0) {
+        throw cannot_write(folder / file.name, errno);
+      }
+    }
+  } catch (const InputError&) {
+    for (const FileText& file : files) ::unlink(partial_name(folder, file).c_str());
+    if (created) ::rmdir(folder.c_str());
+    throw;
+  }
 }
 
 void check_output_folder(const fs::path& folder) {
@@ -61,12 +82,6 @@ void check_output_folder(const fs::path& folder) {
     throw InputError(folder.string(), "", "",
                      "cannot hold the results: " + existing.string() + ": " + reason(errno));
   }
-}
-
-void create_output_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string(), "", "", "cannot be created: " + error.message());
 }
 
 std::string read_text(const fs::path& file) {

@@ -1,23 +1,26 @@
-// Writing a result so that it is there whole or not at all.
+// Writing results so that they are there whole or not at all.
 #pragma once
 
 #include <filesystem>
 #include <string>
-#include <string_view>
+#include <vector>
 
 namespace headland {
 
-// Writes `content` beside `file` under a temporary name, checks that it arrived, and renames it.
-// On failure the temporary file is removed, an older `file` stays as it was, and InputError names
-// the file and the system's reason (no space left, permission denied, ...).
-void write_atomically(const std::filesystem::path& file, std::string_view content);
+struct FileText {
+  std::string name;
+  std::string text;
+};
+
+// Writes the files of `folder` under temporary names, checks that they arrived, and only then
+// renames them all; creates the folder if need be. On failure the temporary files (and a folder
+// made for them) are removed, older files stay as they were, and InputError names the file and the
+// system's reason (no space left, permission denied, ...).
+void write_together(const std::filesystem::path& folder, const std::vector<FileText>& files);
 
 // Throws InputError when results could not be written to `folder` (which need not exist yet): some
 // part of its path is a file, or the nearest existing folder may not be written to.
 void check_output_folder(const std::filesystem::path& folder);
-
-// Creates `folder` with its parents. Throws InputError.
-void create_output_folder(const std::filesystem::path& folder);
 
 // The whole of `file`. Throws InputError when it is missing, a folder or unreadable.
 std::string read_text(const std::filesystem::path& file);

@@ -1,0 +1,31 @@
+// The output folder: which file holds what, and a whole run read back. docs/results.md.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "planner/path.h"
+#include "sim/run_record.h"
+
+namespace headland {
+
+inline constexpr char kScenarioFile[] = "scenario.yaml";   // as resolved
+inline constexpr char kPlanFile[] = "plan.geojson";        // evaluate/plan_file.h
+inline constexpr char kPathFile[] = "path.geojson";        // evaluate/plan_file.h
+inline constexpr char kRunFile[] = "run.csv";              // evaluate/run_tables.h
+inline constexpr char kFootprintFile[] = "footprint.csv";  // evaluate/run_tables.h
+inline constexpr char kSegmentsFile[] = "segments.csv";    // evaluate/run_tables.h
+inline constexpr char kMetricsFile[] = "metrics.json";     // evaluate/metrics_file.h
+inline constexpr char kFieldPicture[] = "field.png";       // render/pictures.h
+inline constexpr char kViewPicture[] = "view.png";         // render/pictures.h
+inline constexpr char kEnergyPicture[] = "energy.png";     // render/pictures.h
+
+// Removes the files of stages after the one that has just been done again, so that a folder never
+// mixes two runs. `first` and what follows it in the list above go.
+void remove_results_from(const std::filesystem::path& folder, std::string_view first);
+
+// A run back from its tables and metrics.json, to the decimals written. Throws InputError: a file
+// that is missing or cannot be read, or a run that belongs to another path.
+RunRecord read_run(const std::filesystem::path& folder, const Path& path);
+
+}  // namespace headland

@@ -1,0 +1,279 @@
+#include "evaluate/run_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <span>
+
+#include "evaluate/atomic_file.h"
+#include "terrains/input_error.h"
+
+namespace headland {
+namespace {
+
+// A column of numbers: one literal table serves writing and reading.
+template <typename Row>
+struct Column {
+  std::string_view name;
+  int decimals;
+  double& (*value)(Row&);
+};
+
+constexpr Column<RunSample> kRunColumns[] = {
+    {"time_s", 4, [](RunSample& s) -> double& { return s.time_s; }},
+    {"travel_m", 3, [](RunSample& s) -> double& { return s.travel_m; }},
+    {"x_m", 4, [](RunSample& s) -> double& { return s.p_WB.x(); }},
+    {"y_m", 4, [](RunSample& s) -> double& { return s.p_WB.y(); }},
+    {"z_m", 4, [](RunSample& s) -> double& { return s.p_WB.z(); }},
+    {"yaw_rad", 5, [](RunSample& s) -> double& { return s.yaw_rad; }},
+    {"pitch_rad", 5, [](RunSample& s) -> double& { return s.pitch_rad; }},
+    {"roll_rad", 5, [](RunSample& s) -> double& { return s.roll_rad; }},
+    {"speed_mps", 4, [](RunSample& s) -> double& { return s.speed_mps; }},
+    {"steer_rad", 5, [](RunSample& s) -> double& { return s.steer_rad; }},
+    {"slip", 4, [](RunSample& s) -> double& { return s.slip; }},
+    {"load_transfer_ratio", 4, [](RunSample& s) -> double& { return s.load_transfer_ratio; }},
+    {"cross_track_error_m", 4, [](RunSample& s) -> double& { return s.cross_track_error_m; }},
+    {"motor_torque_nm", 2, [](RunSample& s) -> double& { return s.motor_torque_nm; }},
+    {"motor_power_w", 1, [](RunSample& s) -> double& { return s.motor_power_w; }},
+    {"battery_power_w", 1, [](RunSample& s) -> double& { return s.battery_power_w; }},
+    {"battery_voltage_v", 3, [](RunSample& s) -> double& { return s.battery_voltage_v; }},
+    {"soc", 6, [](RunSample& s) -> double& { return s.soc; }},
+    {"draft_n", 1, [](RunSample& s) -> double& { return s.draft_n; }},
+    {"wheel_load_rear_left_n", 1, [](RunSample& s) -> double& { return s.wheel_load_n[0]; }},
+    {"wheel_load_rear_right_n", 1, [](RunSample& s) -> double& { return s.wheel_load_n[1]; }},
+    {"wheel_load_front_left_n", 1, [](RunSample& s) -> double& { return s.wheel_load_n[2]; }},
+    {"wheel_load_front_right_n", 1, [](RunSample& s) -> double& { return s.wheel_load_n[3]; }},
+    {"wheel_angle_rear_left_rad", 3, [](RunSample& s) -> double& { return s.wheel_angle_rad[0]; }},
+    {"wheel_angle_rear_right_rad", 3, [](RunSample& s) -> double& { return s.wheel_angle_rad[1]; }},
+    {"wheel_angle_front_left_rad", 3, [](RunSample& s) -> double& { return s.wheel_angle_rad[2]; }},
+    {"wheel_angle_front_right_rad", 3,
+     [](RunSample& s) -> double& { return s.wheel_angle_rad[3]; }},
+};
+
+constexpr Column<FootprintSample> kFootprintColumns[] = {
+    {"left_x_m", 3, [](FootprintSample& s) -> double& { return s.left_W.x(); }},
+    {"left_y_m", 3, [](FootprintSample& s) -> double& { return s.left_W.y(); }},
+    {"right_x_m", 3, [](FootprintSample& s) -> double& { return s.right_W.x(); }},
+    {"right_y_m", 3, [](FootprintSample& s) -> double& { return s.right_W.y(); }},
+    {"time_s", 3, [](FootprintSample& s) -> double& { return s.time_s; }},
+    {"travel_m", 3, [](FootprintSample& s) -> double& { return s.travel_m; }},
+};
+
+constexpr Column<SegmentRecord> kSegmentColumns[] = {
+    {"start_time_s", 4, [](SegmentRecord& s) -> double& { return s.start_time_s; }},
+    {"duration_s", 4, [](SegmentRecord& s) -> double& { return s.duration_s; }},
+    {"distance_m", 4, [](SegmentRecord& s) -> double& { return s.distance_m; }},
+    {"battery_j", 3, [](SegmentRecord& s) -> double& { return s.energy.battery_j; }},
+};
+
+using Text = fmt::memory_buffer;
+
+void append(Text& text, std::string_view words) { text.append(words); }
+
+void append_number(Text& text, double value, int decimals) {
+  fmt::format_to(std::back_inserter(text), "{:.{}f}", value, decimals);
+}
+
+template <typename Row>
+void append_row(Text& text, std::span<const Column<Row>> columns, Row row) {
+  for (const Column<Row>& column : columns) {
+    if (&column != columns.data()) text.push_back(',');
+    append_number(text, column.value(row), column.decimals);
+  }
+}
+
+template <typename Row>
+std::vector<std::string> names_of(std::span<const Column<Row>> columns) {
+  std::vector<std::string> names;
+  for (const Column<Row>& column : columns) names.emplace_back(column.name);
+  return names;
+}
+
+std::vector<std::string> energy_keys() {
+  std::vector<std::string> keys;
+  for (std::size_t i = 0; i < kEnergyCauses; ++i) {
+    keys.push_back(energy_key(static_cast<EnergyCause>(i)));
+  }
+  return keys;
+}
+
+std::vector<std::string> cat(std::vector<std::string> names, const std::vector<std::string>& more) {
+  names.insert(names.end(), more.begin(), more.end());
+  return names;
+}
+
+std::vector<std::string_view> split(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    cells.push_back(line.substr(0, comma));
+    if (comma == std::string_view::npos) return cells;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+double cell_number(std::string_view cell, const std::string& file, int line,
+                   const std::string& column) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error == std::errc() && end == cell.data() + cell.size()) return value;
+  throw InputError(file, fmt::format("line {}", line), std::string(cell),
+                   fmt::format("a number is needed in column '{}'", column));
+}
+
+// Hands `row` the numbers of the columns named, in their order, line by line.
+void read_rows(const std::filesystem::path& file, const std::vector<std::string>& names,
+               const std::function<void(std::span<const double>)>& row) {
+  const std::string text = read_text(file);
+  std::string_view rest = text;
+  std::vector<std::size_t> indices;
+  std::vector<double> values(names.size());
+  std::size_t width = 0;
+  for (int number = 1; !rest.empty(); ++number) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::vector<std::string_view> cells = split(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (number == 1) {
+      for (const std::string& name : names) {
+        const auto found = std::find(cells.begin(), cells.end(), name);
+        if (found == cells.end()) {
+          throw InputError(file.string(), "line 1", name, "the column is missing");
+        }
+        indices.push_back(static_cast<std::size_t>(found - cells.begin()));
+      }
+      width = cells.size();
+      continue;
+    }
+    if (cells.size() != width) {
+      throw InputError(file.string(), fmt::format("line {}", number),
+                       fmt::format("{} cells", cells.size()),
+                       fmt::format("the header has {} columns", width));
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      values[i] = cell_number(cells[indices[i]], file.string(), number, names[i]);
+    }
+    row(values);
+  }
+  if (width == 0) throw InputError(file.string(), "line 1", "", "the header line is missing");
+}
+
+template <typename Row>
+Row row_of(std::span<const Column<Row>> columns, std::span<const double> values) {
+  Row row;
+  for (std::size_t i = 0; i < columns.size(); ++i) columns[i].value(row) = values[i];
+  return row;
+}
+
+}  // namespace
+
+std::string energy_key(EnergyCause cause) {
+  std::string key(energy_cause_name(cause));
+  std::replace(key.begin(), key.end(), ' ', '_');
+  return key + "_j";
+}
+
+std::vector<std::string> run_columns() {
+  return cat(names_of<RunSample>(kRunColumns), {"segment", "implement_down"});
+}
+
+std::string run_csv(const std::vector<RunSample>& samples, const GeoFrame& frame) {
+  constexpr int kDegreeDecimals = 9;
+  std::vector<Eigen::Vector2d> lon_lat_deg;
+  if (frame.georeferenced) {
+    for (const RunSample& sample : samples) lon_lat_deg.emplace_back(sample.p_WB.head<2>());
+    lon_lat_deg = wgs84_from_local(frame, lon_lat_deg);
+  }
+  Text text;
+  append(text, fmt::format("{}", fmt::join(run_columns(), ",")));
+  append(text, frame.georeferenced ? ",longitude_deg,latitude_deg\n" : "\n");
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    append_row<RunSample>(text, kRunColumns, samples[i]);
+    append(text, fmt::format(",{},{:d}", samples[i].segment, samples[i].implement_down));
+    if (frame.georeferenced) {
+      text.push_back(',');
+      append_number(text, lon_lat_deg[i].x(), kDegreeDecimals);
+      text.push_back(',');
+      append_number(text, lon_lat_deg[i].y(), kDegreeDecimals);
+    }
+    text.push_back('\n');
+  }
+  return fmt::to_string(text);
+}
+
+std::vector<RunSample> read_run_csv(const std::filesystem::path& file) {
+  std::vector<RunSample> samples;
+  read_rows(file, run_columns(), [&](std::span<const double> values) {
+    RunSample& sample = samples.emplace_back(row_of<RunSample>(kRunColumns, values));
+    sample.segment = static_cast<int>(values[std::size(kRunColumns)]);
+    sample.implement_down = values[std::size(kRunColumns) + 1] != 0.0;
+  });
+  return samples;
+}
+
+std::string footprint_csv(const std::vector<FootprintSample>& footprints) {
+  Text text;
+  append(text, fmt::format("{},starts_strip\n",
+                           fmt::join(names_of<FootprintSample>(kFootprintColumns), ",")));
+  for (const FootprintSample& footprint : footprints) {
+    append_row<FootprintSample>(text, kFootprintColumns, footprint);
+    append(text, footprint.starts_strip ? ",1\n" : ",0\n");
+  }
+  return fmt::to_string(text);
+}
+
+std::vector<FootprintSample> read_footprint_csv(const std::filesystem::path& file) {
+  std::vector<FootprintSample> footprints;
+  const auto names = cat(names_of<FootprintSample>(kFootprintColumns), {"starts_strip"});
+  read_rows(file, names, [&](std::span<const double> values) {
+    footprints.push_back(row_of<FootprintSample>(kFootprintColumns, values));
+    footprints.back().starts_strip = values.back() != 0.0;
+  });
+  return footprints;
+}
+
+std::string segments_csv(const Path& path, const std::vector<SegmentRecord>& segments) {
+  constexpr int kEnergyDecimals = 3;
+  constexpr int kErrorDecimals = 6;
+  Text text;
+  append(text, fmt::format("segment,manoeuvre,kind,gear,implement,{},{},track_rms_m\n",
+                           fmt::join(names_of<SegmentRecord>(kSegmentColumns), ","),
+                           fmt::join(energy_keys(), ",")));
+  for (const SegmentRecord& record : segments) {
+    const PathSegment& segment = path.segments[static_cast<std::size_t>(record.segment)];
+    append(text, fmt::format("{},{},{},{},{},", record.segment, segment.manoeuvre,
+                             path_kind_name(segment.kind), gear_name(segment.gear),
+                             segment.implement_down ? "down" : "up"));
+    append_row<SegmentRecord>(text, kSegmentColumns, record);
+    for (const double cause_j : record.energy.cause_j) {
+      text.push_back(',');
+      append_number(text, cause_j, kEnergyDecimals);
+    }
+    text.push_back(',');
+    append_number(
+        text,
+        record.distance_m > 0.0 ? std::sqrt(record.cross_track_sum_m2 / record.distance_m) : 0.0,
+        kErrorDecimals);
+    text.push_back('\n');
+  }
+  return fmt::to_string(text);
+}
+
+std::vector<SegmentRecord> read_segments_csv(const std::filesystem::path& file) {
+  std::vector<SegmentRecord> segments;
+  const auto names =
+      cat(cat(names_of<SegmentRecord>(kSegmentColumns), energy_keys()), {"segment", "track_rms_m"});
+  read_rows(file, names, [&](std::span<const double> values) {
+    SegmentRecord& record = segments.emplace_back(row_of<SegmentRecord>(kSegmentColumns, values));
+    std::copy_n(values.begin() + std::size(kSegmentColumns), kEnergyCauses,
+                record.energy.cause_j.begin());
+    record.segment = static_cast<int>(values[values.size() - 2]);
+    record.cross_track_sum_m2 = values.back() * values.back() * record.distance_m;
+  });
+  return segments;
+}
+
+}  // namespace headland
