@@ -10,9 +10,12 @@
 
 namespace headland {
 
-// Times covered per cell of a raster over the field's bounding box (with a margin of one working
-// width): cell (i, j) has its centre at origin_W + cell_m * (i + 0.5, j + 0.5).
-// A cell counts again when the implement comes back after having travelled kCoverageGap away.
+// Times covered per cell of a raster: cell (i, j) has its centre at
+// origin_W + cell_m * (i + 0.5, j + 0.5) and belongs wholly to what its centre belongs to. The
+// raster spans the field's bounding box with a margin of one working width, wider where the
+// implement worked further out, up to kMaxCoverageMargin_m.
+// A cell counts again when the implement comes back after having travelled kCoverageGap_m since it
+// last touched the cell.
 struct CoverageRaster {
   int columns = 0;
   int rows = 0;
@@ -23,15 +26,21 @@ struct CoverageRaster {
 };
 
 inline constexpr double kCoverageGap_m = 1.0;
+inline constexpr double kMaxCoverageMargin_m = 100.0;
+inline constexpr double kMaxCoverageCells = 1e9;
 
 struct CoverageFigures {
   double workable_m2 = 0.0;  // field minus holes and obstacles
-  double covered_m2 = 0.0;   // worked at least once, inside the field
-  double overlap_m2 = 0.0;   // extra passes: sum of (times - 1), inside the field
+  double covered_m2 = 0.0;   // worked at least once, workable ground
+  double overlap_m2 = 0.0;   // extra passes: sum of (times - 1), workable ground
   double missed_m2 = 0.0;
-  double outside_m2 = 0.0;  // worked outside the field or in a hole
+  double outside_m2 = 0.0;  // worked beyond the boundary, in a hole or on an obstacle
 };
 
+// Fills the quadrangle between each footprint and the one it is joined to. The rule is half-open:
+// quadrangles that share an edge share out its cells, so that a strip has neither gaps nor doubles.
+// Footprints that are not finite are left out. Throws InputError (coverage.cell_m) when the raster
+// would have more than kMaxCoverageCells cells.
 CoverageRaster measure_coverage(const Field& field, const std::vector<FootprintSample>& footprints,
                                 double working_width_m, double cell_m);
 CoverageFigures coverage_figures(const CoverageRaster& raster);

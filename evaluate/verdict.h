@@ -38,9 +38,9 @@ enum class Grade { kPass, kWarn, kFail };
 
 struct Reason {
   Grade grade = Grade::kPass;
-  std::string figure;  // key of the limit, or "outcome"
-  double value = 0.0;
-  double limit = 0.0;
+  std::string figure;  // key of the limit, "outcome" or "path"
+  double value = 0.0;  // 0 for the outcome, the number of violations for the path
+  double limit = 0.0;  // the one that was passed
   std::optional<Eigen::Vector2d> p_W;
   std::optional<double> time_s;
   std::string text;  // one sentence for people
@@ -51,6 +51,8 @@ struct Verdict {
   std::vector<Reason> reasons;  // worst first; empty when all is well
 };
 
+// Compares every figure with its limit. A run that did not finish fails, whatever its figures; a
+// figure that is not a number fails; a path with recorded violations warns.
 Verdict judge(const Path& path, const RunRecord& run, const Metrics& metrics,
               const VerdictLimits& limits);
 

@@ -1,0 +1,169 @@
+#include "evaluate/coverage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "evaluate/scanline.h"
+#include "terrains/input_error.h"
+
+namespace headland {
+namespace {
+
+struct Box {
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high = -low;
+
+  void include(const Eigen::Vector2d& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+};
+
+bool finite(const FootprintSample& footprint) {
+  return footprint.left_W.allFinite() && footprint.right_W.allFinite();
+}
+
+CoverageRaster empty_raster(const Field& field, const std::vector<FootprintSample>& footprints,
+                            double working_width_m, double cell_m) {
+  Box ground;
+  for (const Eigen::Vector2d& p_W : field.boundary) ground.include(p_W);
+  Box box = ground;
+  for (const FootprintSample& footprint : footprints) {
+    if (!finite(footprint)) continue;
+    box.include(footprint.left_W);
+    box.include(footprint.right_W);
+  }
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(working_width_m);
+  const Eigen::Vector2d most = Eigen::Vector2d::Constant(kMaxCoverageMargin_m).cwiseMax(margin);
+  box.include(ground.low - margin);
+  box.include(ground.high + margin);
+  box.low = box.low.cwiseMax(ground.low - most);
+  box.high = box.high.cwiseMin(ground.high + most);
+
+  const Eigen::Vector2d cells = ((box.high - box.low) / cell_m).array().ceil();
+  if (cells.prod() > kMaxCoverageCells) {
+    const double enough_m = cell_m * std::sqrt(cells.prod() / kMaxCoverageCells);
+    throw InputError("", "coverage.cell_m", fmt::format("{:g}", cell_m),
+                     fmt::format("{:.0f} x {:.0f} cells are too many; at least {:.2g} m for this "
+                                 "field",
+                                 cells.x(), cells.y(), 1.05 * enough_m));
+  }
+  CoverageRaster raster;
+  raster.columns = static_cast<int>(cells.x());
+  raster.rows = static_cast<int>(cells.y());
+  raster.cell_m = cell_m;
+  raster.origin_W = box.low;
+  const auto count =
+      static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows);
+  raster.times.assign(count, 0);
+  raster.in_field.assign(count, 0);
+  return raster;
+}
+
+// p_W in the scanline's units, where cell centres are whole numbers.
+Eigen::Vector2d in_cells(const CoverageRaster& raster, const Eigen::Vector2d& p_W) {
+  return (p_W - raster.origin_W) / raster.cell_m - Eigen::Vector2d::Constant(0.5);
+}
+
+std::size_t index_of(const CoverageRaster& raster, int column, int row) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.columns) +
+         static_cast<std::size_t>(column);
+}
+
+void add_ring(Scanline& scan, const CoverageRaster& raster, const Ring& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    add_edge(scan, in_cells(raster, ring[i]), in_cells(raster, ring[(i + 1) % ring.size()]));
+  }
+}
+
+void clear_obstacle(CoverageRaster& raster, const Obstacle& obstacle) {
+  const Eigen::Vector2d centre = in_cells(raster, obstacle.p_W);
+  const double radius = obstacle.radius_m / raster.cell_m;
+  const int end_row = first_cell(centre.y() + radius, raster.rows);
+  for (int row = first_cell(centre.y() - radius, raster.rows); row < end_row; ++row) {
+    const double dy = row - centre.y();
+    const double half = std::sqrt(std::max(radius * radius - dy * dy, 0.0));
+    const int end = first_cell(centre.x() + half, raster.columns);
+    for (int column = first_cell(centre.x() - half, raster.columns); column < end; ++column) {
+      raster.in_field[index_of(raster, column, row)] = 0;
+    }
+  }
+}
+
+void mark_field(CoverageRaster& raster, Scanline& scan, const Field& field) {
+  add_ring(scan, raster, field.boundary);
+  for (const Ring& hole : field.holes) add_ring(scan, raster, hole);
+  fill(scan, [&](int row, int begin, int end) {
+    const auto first =
+        raster.in_field.begin() + static_cast<std::ptrdiff_t>(index_of(raster, begin, row));
+    std::fill(first, first + (end - begin), std::uint8_t{1});
+  });
+  for (const Obstacle& obstacle : field.obstacles) clear_obstacle(raster, obstacle);
+}
+
+void mark_strips(CoverageRaster& raster, Scanline& scan,
+                 const std::vector<FootprintSample>& footprints) {
+  constexpr double kNever = -std::numeric_limits<double>::infinity();
+  std::vector<double> last_touch_m(raster.times.size(), kNever);
+  for (std::size_t k = 1; k < footprints.size(); ++k) {
+    const FootprintSample& before = footprints[k - 1];
+    const FootprintSample& now = footprints[k];
+    if (now.starts_strip || !finite(before) || !finite(now)) continue;
+    const Eigen::Vector2d corners[] = {in_cells(raster, before.left_W),
+                                       in_cells(raster, before.right_W),
+                                       in_cells(raster, now.right_W), in_cells(raster, now.left_W)};
+    for (std::size_t c = 0; c < 4; ++c) add_edge(scan, corners[c], corners[(c + 1) % 4]);
+    fill(scan, [&](int row, int begin, int end) {
+      for (int column = begin; column < end; ++column) {
+        const std::size_t cell = index_of(raster, column, row);
+        if (now.travel_m - last_touch_m[cell] > kCoverageGap_m && raster.times[cell] < 255) {
+          ++raster.times[cell];
+        }
+        last_touch_m[cell] = now.travel_m;
+      }
+    });
+  }
+}
+
+}  // namespace
+
+CoverageRaster measure_coverage(const Field& field, const std::vector<FootprintSample>& footprints,
+                                double working_width_m, double cell_m) {
+  assert(cell_m > 0.0 && working_width_m > 0.0);
+  CoverageRaster raster = empty_raster(field, footprints, working_width_m, cell_m);
+  Scanline scan = make_scanline(raster.columns, raster.rows);
+  mark_field(raster, scan, field);
+  mark_strips(raster, scan, footprints);
+  return raster;
+}
+
+CoverageFigures coverage_figures(const CoverageRaster& raster) {
+  std::size_t workable = 0;
+  std::size_t covered = 0;
+  std::size_t passes = 0;
+  std::size_t outside = 0;
+  for (std::size_t cell = 0; cell < raster.times.size(); ++cell) {
+    const std::uint8_t times = raster.times[cell];
+    if (raster.in_field[cell] != 0) {
+      ++workable;
+      covered += times > 0 ? 1 : 0;
+      passes += times;
+    } else {
+      outside += times > 0 ? 1 : 0;
+    }
+  }
+  const double cell_m2 = raster.cell_m * raster.cell_m;
+  CoverageFigures figures;
+  figures.workable_m2 = cell_m2 * static_cast<double>(workable);
+  figures.covered_m2 = cell_m2 * static_cast<double>(covered);
+  figures.overlap_m2 = cell_m2 * static_cast<double>(passes - covered);
+  figures.missed_m2 = cell_m2 * static_cast<double>(workable - covered);
+  figures.outside_m2 = cell_m2 * static_cast<double>(outside);
+  return figures;
+}
+
+}  // namespace headland
