@@ -103,8 +103,8 @@ struct Peak {
 };
 
 struct Peaks {
-  Peak slip;                   // largest sustained over kSustained_s
-  Peak load_transfer_ratio;    // largest magnitude sustained over kSustained_s
+  Peak slip;                   // largest mean over kSustained_s
+  Peak load_transfer_ratio;    // largest magnitude of the mean over kSustained_s
   Peak cross_track_working_m;  // implement down
   Peak cross_track_turning_m;  // implement up
   Peak boundary_overrun_m;     // hull outside the boundary or in a hole, 0 when never

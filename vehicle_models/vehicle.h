@@ -32,6 +32,7 @@ struct Axle {
   double vertical_stiffness_n_per_m = 0.0;  // one tyre
   double vertical_damping_n_s_per_m = 0.0;
   bool driven = false;
+  double oscillation_max_rad = 0.0;  // free roll of a pivoted axle to either side; 0: rigid
 };
 
 struct Steering {

@@ -1,0 +1,177 @@
+#include "sim/bullet_world.h"
+
+#include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
+#include <btBulletDynamicsCommon.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace headland {
+namespace {
+
+enum CollisionGroup : int { kTerrain = 1, kHull = 2, kObstacle = 4 };
+
+btVector3 to_bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+Eigen::Vector3d from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+
+}  // namespace
+
+struct BulletWorld::Parts {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+
+  std::unique_ptr<btHeightfieldTerrainShape> terrain_shape;
+  std::unique_ptr<btCollisionObject> terrain;
+  std::vector<std::unique_ptr<btCollisionShape>> shapes;
+  std::vector<std::unique_ptr<btCollisionObject>> obstacles;
+  btCompoundShape hull_shape;
+  std::unique_ptr<btRigidBody> chassis;
+
+  btVector3 force{0, 0, 0};
+  btVector3 torque{0, 0, 0};
+
+  // Bullet clears forces after each step, and clears those of an action before they count when
+  // there is a single sub-step; the pre-tick callback is the place where they do count.
+  static void before_tick(btDynamicsWorld* world, btScalar) {
+    auto* parts = static_cast<Parts*>(world->getWorldUserInfo());
+    parts->chassis->applyCentralForce(parts->force);
+    parts->chassis->applyTorque(parts->torque);
+  }
+
+  void add_terrain(const Heightfield& heights) {
+    const auto [low, high] = std::minmax_element(heights.height_m.begin(), heights.height_m.end());
+    terrain_shape = std::make_unique<btHeightfieldTerrainShape>(
+        heights.columns, heights.rows, heights.height_m.data(), *low, *high, 2, false);
+    terrain_shape->setLocalScaling({heights.cell_m, heights.cell_m, 1.0});
+    terrain = std::make_unique<btCollisionObject>();
+    terrain->setCollisionShape(terrain_shape.get());
+    btTransform pose = btTransform::getIdentity();
+    pose.setOrigin({heights.origin_W.x() + 0.5 * (heights.columns - 1) * heights.cell_m,
+                    heights.origin_W.y() + 0.5 * (heights.rows - 1) * heights.cell_m,
+                    0.5 * (*low + *high)});
+    terrain->setWorldTransform(pose);
+    world.addCollisionObject(terrain.get(), kTerrain, kTerrain);
+  }
+
+  void add_obstacle(const Obstacle& obstacle, const Heightfield& heights) {
+    shapes.push_back(std::make_unique<btCylinderShapeZ>(
+        btVector3(obstacle.radius_m, obstacle.radius_m, 0.5 * obstacle.height_m)));
+    auto object = std::make_unique<btCollisionObject>();
+    object->setCollisionShape(shapes.back().get());
+    btTransform pose = btTransform::getIdentity();
+    const double ground_m = surface_at(heights, obstacle.p_W.x(), obstacle.p_W.y()).height_m;
+    pose.setOrigin({obstacle.p_W.x(), obstacle.p_W.y(), ground_m + 0.5 * obstacle.height_m});
+    object->setWorldTransform(pose);
+    world.addCollisionObject(object.get(), kObstacle, kHull);
+    obstacles.push_back(std::move(object));
+  }
+
+  void add_box(const Eigen::Vector3d& low_B, const Eigen::Vector3d& high_B,
+               const Eigen::Vector3d& com_B) {
+    shapes.push_back(std::make_unique<btBoxShape>(to_bullet(0.5 * (high_B - low_B))));
+    btTransform pose = btTransform::getIdentity();
+    pose.setOrigin(to_bullet(0.5 * (low_B + high_B) - com_B));
+    hull_shape.addChildShape(pose, shapes.back().get());
+  }
+
+  void add_vehicle(const Vehicle& vehicle) {
+    const ChassisMass mass = chassis_mass(vehicle);
+    const Body& body = vehicle.body;
+    const double half_width_m = 0.5 * body.width_m;
+    add_box({-body.rear_overhang_m, -half_width_m, body.ground_clearance_m},
+            {body.length_m - body.rear_overhang_m, half_width_m, body.height_m}, mass.com_B);
+    if (vehicle.implement.working_width_m > 0.0) {
+      constexpr double kHalfDepth_m = 0.25;
+      const double x_m = vehicle.implement.x_B_m;
+      const double half_m = 0.5 * vehicle.implement.working_width_m;
+      add_box({x_m - kHalfDepth_m, -half_m, kImplementHeight_m - kHalfDepth_m},
+              {x_m + kHalfDepth_m, half_m, kImplementHeight_m + kHalfDepth_m}, mass.com_B);
+    }
+    btRigidBody::btRigidBodyConstructionInfo info(mass.mass_kg, nullptr, &hull_shape,
+                                                  to_bullet(mass.inertia_kg_m2));
+    info.m_linearDamping = 0.0;
+    info.m_angularDamping = 0.0;
+    chassis = std::make_unique<btRigidBody>(info);
+    chassis->setActivationState(DISABLE_DEACTIVATION);
+    world.addRigidBody(chassis.get(), kHull, kObstacle);
+  }
+};
+
+BulletWorld::BulletWorld(const Field& field, const Heightfield& terrain, const Vehicle& vehicle)
+    : parts_(std::make_unique<Parts>()) {
+  parts_->world.setGravity({0.0, 0.0, -kGravity_mps2});
+  parts_->world.setInternalTickCallback(&Parts::before_tick, parts_.get(), true);
+  // Static bodies never move: without this Bullet recomputes their bounds in every step.
+  parts_->world.setForceUpdateAllAabbs(false);
+  parts_->add_terrain(terrain);
+  for (const Obstacle& obstacle : field.obstacles) parts_->add_obstacle(obstacle, terrain);
+  parts_->add_vehicle(vehicle);
+}
+
+BulletWorld::~BulletWorld() {
+  parts_->world.removeRigidBody(parts_->chassis.get());
+  for (const auto& obstacle : parts_->obstacles) {
+    parts_->world.removeCollisionObject(obstacle.get());
+  }
+  parts_->world.removeCollisionObject(parts_->terrain.get());
+}
+
+void BulletWorld::set_state(const ChassisState& state) {
+  const Eigen::Matrix3d& R = state.R_WB;
+  const btMatrix3x3 basis(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1),
+                          R(2, 2));
+  btRigidBody& chassis = *parts_->chassis;
+  chassis.setWorldTransform(btTransform(basis, to_bullet(state.p_WC)));
+  chassis.setLinearVelocity(to_bullet(state.v_W));
+  chassis.setAngularVelocity(to_bullet(state.omega_W));
+  chassis.updateInertiaTensor();
+}
+
+ChassisState BulletWorld::state() const {
+  const btRigidBody& chassis = *parts_->chassis;
+  ChassisState state;
+  state.p_WC = from_bullet(chassis.getWorldTransform().getOrigin());
+  const btMatrix3x3& basis = chassis.getWorldTransform().getBasis();
+  for (int i = 0; i < 3; ++i) state.R_WB.row(i) = from_bullet(basis[i]).transpose();
+  state.v_W = from_bullet(chassis.getLinearVelocity());
+  state.omega_W = from_bullet(chassis.getAngularVelocity());
+  return state;
+}
+
+void BulletWorld::step(const Eigen::Vector3d& force_W, const Eigen::Vector3d& torque_W,
+                       double dt_s) {
+  parts_->force = to_bullet(force_W);
+  parts_->torque = to_bullet(torque_W);
+  parts_->world.stepSimulation(dt_s, 0);
+}
+
+std::optional<std::size_t> BulletWorld::touched_obstacle() const {
+  for (int i = 0; i < parts_->dispatcher.getNumManifolds(); ++i) {
+    const btPersistentManifold& manifold = *parts_->dispatcher.getManifoldByIndexInternal(i);
+    for (int c = 0; c < manifold.getNumContacts(); ++c) {
+      if (manifold.getContactPoint(c).getDistance() > 0.0) continue;
+      for (std::size_t o = 0; o < parts_->obstacles.size(); ++o) {
+        const btCollisionObject* obstacle = parts_->obstacles[o].get();
+        if (manifold.getBody0() == obstacle || manifold.getBody1() == obstacle) return o;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<double> BulletWorld::ray_cast_height(double x_m, double y_m) const {
+  constexpr double kFar_m = 1e4;
+  const btVector3 from(x_m, y_m, kFar_m);
+  const btVector3 to(x_m, y_m, -kFar_m);
+  btCollisionWorld::ClosestRayResultCallback result(from, to);
+  result.m_collisionFilterGroup = kTerrain;
+  result.m_collisionFilterMask = kTerrain;
+  parts_->world.rayTest(from, to, result);
+  if (!result.hasHit()) return std::nullopt;
+  return result.m_hitPointWorld.z();
+}
+
+}  // namespace headland

@@ -1,0 +1,43 @@
+// The rigid body that a vehicle with its implement makes, and its motion.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "vehicle_models/vehicle.h"
+
+namespace headland {
+
+inline constexpr double kGravity_mps2 = 9.80665;
+
+// Mass, centre of mass and principal inertia of body and implement together. The implement is a
+// bar of its working width at kImplementHeight_m above the ground. Products of inertia are
+// neglected: machines are close to symmetric about the x-z plane.
+struct ChassisMass {
+  double mass_kg = 0.0;
+  Eigen::Vector3d com_B = Eigen::Vector3d::Zero();
+  Eigen::Vector3d inertia_kg_m2 = Eigen::Vector3d::Zero();
+};
+
+inline constexpr double kImplementHeight_m = 0.5;
+
+ChassisMass chassis_mass(const Vehicle& vehicle);
+
+// Motion of the rigid body: position of the centre of mass C, attitude, velocities, all in W.
+struct ChassisState {
+  Eigen::Vector3d p_WC = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d R_WB = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d v_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d omega_W = Eigen::Vector3d::Zero();
+};
+
+// Velocity of the body's point that is at offset `r_W` from the centre of mass.
+inline Eigen::Vector3d point_velocity(const Eigen::Vector3d& v_W, const Eigen::Vector3d& omega_W,
+                                      const Eigen::Vector3d& r_W) {
+  return v_W + omega_W.cross(r_W);
+}
+
+// Yaw, pitch (nose up positive) and roll (right side down positive) of an attitude.
+Eigen::Vector3d yaw_pitch_roll(const Eigen::Matrix3d& R_WB);
+
+}  // namespace headland

@@ -1,0 +1,75 @@
+#include "sim/incidents.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace headland {
+namespace {
+
+std::string at_place(const Eigen::Vector3d& p_WB, double time_s) {
+  return fmt::format("at x {:.1f} m, y {:.1f} m after {:.0f} s", p_WB.x(), p_WB.y(), time_s);
+}
+
+bool stuck(const DriverState& driver, double time_s, ProgressWatch& watch) {
+  if (driver.run != watch.run || driver.along_m > watch.along_m + kStuckProgress_m) {
+    watch = {driver.run, driver.along_m, time_s};
+  }
+  return time_s - watch.time_s > kStuckAfter_s;
+}
+
+std::string why_stuck(const Machine& machine, const StepReport& report) {
+  double slip = 0.0;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    if (machine.wheels[i].driven) slip = std::max(slip, report.slip[i]);
+  }
+  if (slip > 0.5) return fmt::format("the driven wheels spin (slip {:.2f})", slip);
+  if (report.clipped) return "the motor or the battery is at its limit";
+  return "no headway along the path";
+}
+
+}  // namespace
+
+std::optional<Incident> find_incident(const SimulationSetup& setup, const Machine& machine,
+                                      const StepReport& report, const BulletWorld& world,
+                                      const MachineState& state, const DriverState& driver,
+                                      const RunRecord& record, double time_s, double max_time_s,
+                                      ProgressWatch& watch) {
+  const ChassisState& chassis = report.chassis;
+  const Eigen::Vector3d p_WB = origin_of(chassis, machine.mass);
+  if (!p_WB.allFinite() || !chassis.v_W.allFinite() || chassis.v_W.norm() > kAbsurdSpeed_mps) {
+    return Incident{Outcome::kDiverged, fmt::format("the motion blew up after {:.0f} s", time_s)};
+  }
+  const auto incident = [&](Outcome outcome, const std::string& cause) {
+    return Incident{outcome, cause + " " + at_place(p_WB, time_s)};
+  };
+  if (chassis.R_WB(2, 2) < std::cos(kRolledOver_rad)) {
+    return incident(Outcome::kRolledOver, "rolled over");
+  }
+  if (const auto touched = world.touched_obstacle()) {
+    const Obstacle& obstacle = setup.field.obstacles[*touched];
+    return incident(Outcome::kHitObstacle, fmt::format("hit the {} at x {:.1f} m, y {:.1f} m",
+                                                       obstacle_kind_name(obstacle.kind),
+                                                       obstacle.p_W.x(), obstacle.p_W.y()));
+  }
+  if (std::any_of(report.contacts.begin(), report.contacts.end(),
+                  [](const WheelContact& contact) { return !contact.on_terrain; })) {
+    return incident(Outcome::kLeftTerrain, "a wheel ran off the edge of the terrain");
+  }
+  if (record.peaks.boundary_overrun_m.value > setup.options.max_overrun_m) {
+    return incident(Outcome::kLeftField, fmt::format("{:.1f} m outside the field",
+                                                     record.peaks.boundary_overrun_m.value));
+  }
+  if (state.battery.soc < machine.vehicle.battery.empty_soc) {
+    return incident(Outcome::kBatteryEmpty, fmt::format("state of charge below {:.0f} %",
+                                                        100.0 * machine.vehicle.battery.empty_soc));
+  }
+  if (time_s > max_time_s) {
+    return incident(Outcome::kTimedOut, fmt::format("not done within {:.0f} s", max_time_s));
+  }
+  if (stuck(driver, time_s, watch)) return incident(Outcome::kStuck, why_stuck(machine, report));
+  return std::nullopt;
+}
+
+}  // namespace headland

@@ -1,0 +1,81 @@
+#include "sim/ledger.h"
+
+#include <cmath>
+
+namespace headland {
+namespace {
+
+double& of(std::array<double, kEnergyCauses>& causes, EnergyCause cause) {
+  return causes[static_cast<std::size_t>(cause)];
+}
+
+}  // namespace
+
+StoredEnergy stored_energy(const ChassisMass& mass, const ChassisState& chassis,
+                           const PerWheel<WheelDefinition>& wheels,
+                           const PerWheel<WheelState>& states,
+                           const PerWheel<WheelContact>& contacts) {
+  StoredEnergy stored;
+  stored.grade_j = mass.mass_kg * kGravity_mps2 * chassis.p_WC.z();
+  const Eigen::Vector3d omega_B = chassis.R_WB.transpose() * chassis.omega_W;
+  stored.kinetic_j = 0.5 * mass.mass_kg * chassis.v_W.squaredNorm() +
+                     0.5 * omega_B.dot(mass.inertia_kg_m2.cwiseProduct(omega_B));
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    stored.kinetic_j +=
+        0.5 * wheels[i].inertia_kg_m2 * states[i].spin_rad_per_s * states[i].spin_rad_per_s;
+  }
+  stored.spring_j = spring_energy_j(contacts, wheels);
+  return stored;
+}
+
+StepLosses step_losses(const StepWork& work) {
+  const Eigen::Vector3d v_mid = 0.5 * (work.before.v_W + work.after.v_W);
+  const Eigen::Vector3d omega_mid = 0.5 * (work.before.omega_W + work.after.omega_W);
+  StepLosses losses;
+  auto& cause_w = losses.cause_w;
+  double driven_spin = 0.0;
+  int driven = 0;
+  double wheel_power_w = 0.0;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    const WheelContact& contact = work.contacts[i];
+    const double spin_mid = 0.5 * (work.spin_before[i] + work.states[i].spin_rad_per_s);
+    const double relative = spin_mid - omega_mid.dot(contact.axle);
+    const double along_mps = contact.along.dot(point_velocity(v_mid, omega_mid, contact.hub_arm));
+    const double across_mps =
+        contact.across.dot(point_velocity(v_mid, omega_mid, contact.lateral_arm));
+    const double normal_mps =
+        contact.normal.dot(point_velocity(v_mid, omega_mid, contact.normal_arm));
+    of(cause_w, EnergyCause::kSlip) -=
+        work.tyres.along_n[i] * (along_mps - work.wheels[i].radius_m * spin_mid);
+    of(cause_w, EnergyCause::kScrub) -= work.tyres.across_n[i] * across_mps;
+    of(cause_w, EnergyCause::kRolling) -= work.tyres.rolling_nm[i] * spin_mid;
+    of(cause_w, EnergyCause::kBrake) -= work.tyres.brake_nm[i] * relative;
+    of(cause_w, EnergyCause::kSuspension) -= contact.damping_n * normal_mps;
+    if (work.wheels[i].driven) {
+      driven_spin += relative;
+      ++driven;
+      wheel_power_w += work.torques[i].drive_nm * relative;
+    }
+  }
+  losses.motor_speed_rad_per_s = driven > 0 ? work.gear_ratio * driven_spin / driven : 0.0;
+  losses.motor_shaft_w = work.motor_nm * losses.motor_speed_rad_per_s;
+  of(cause_w, EnergyCause::kDrivetrain) = losses.motor_shaft_w - wheel_power_w;
+  of(cause_w, EnergyCause::kDraft) =
+      -work.draft_W.dot(point_velocity(v_mid, omega_mid, work.draft_arm));
+  return losses;
+}
+
+void add(EnergyBalance& sum, const EnergyBalance& part) {
+  sum.battery_j += part.battery_j;
+  for (std::size_t i = 0; i < kEnergyCauses; ++i) sum.cause_j[i] += part.cause_j[i];
+}
+
+double unaccounted_j(const EnergyBalance& balance) {
+  double sum_j = balance.battery_j;
+  for (std::size_t i = 0; i < kEnergyCauses; ++i) {
+    if (i != static_cast<std::size_t>(EnergyCause::kResidual)) sum_j -= balance.cause_j[i];
+  }
+  return sum_j;
+}
+
+}  // namespace headland

@@ -1,0 +1,157 @@
+#include "sim/machine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace headland {
+namespace {
+
+constexpr double kDraftFullSpeed_mps = 0.1;  // below it draft fades to nothing at standstill
+
+double motor_speed(const Machine& machine, const PerWheel<WheelContact>& contacts,
+                   const PerWheel<WheelState>& states, const Eigen::Vector3d& omega_W) {
+  double sum = 0.0;
+  int driven = 0;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    if (!machine.wheels[i].driven) continue;
+    sum += states[i].spin_rad_per_s - omega_W.dot(contacts[i].axle);
+    ++driven;
+  }
+  return driven > 0 ? machine.vehicle.drivetrain.gear_ratio * sum / driven : 0.0;
+}
+
+// Electrical power [W] of the implement's shaft and of lifting it.
+double implement_power_w(const Implement& implement, const DriverCommand& command) {
+  double power_w = command.working ? implement.shaft_power_w : 0.0;
+  if (command.lifting && implement.lift_time_s > 0.0) {
+    power_w += implement.lift_energy_j / implement.lift_time_s;
+  }
+  return power_w;
+}
+
+void charge(EnergyBalance& balance, EnergyCause cause, double energy_j) {
+  balance.cause_j[static_cast<std::size_t>(cause)] += energy_j;
+}
+
+// Forces on the chassis through offsets from its centre of mass.
+struct Load {
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();
+
+  void add(const Eigen::Vector3d& force, const Eigen::Vector3d& arm) {
+    force_W += force;
+    torque_W += arm.cross(force);
+  }
+};
+
+}  // namespace
+
+Machine make_machine(const Vehicle& vehicle, const Heightfield& terrain, const Soil& soil) {
+  const ChassisMass mass = chassis_mass(vehicle);
+  return {vehicle, terrain, soil, mass, define_wheels(vehicle, mass)};
+}
+
+ChassisState place_on_ground(const Machine& machine, const Eigen::Vector2d& p_W,
+                             double heading_rad) {
+  const Eigen::Vector2d ahead(std::cos(heading_rad), std::sin(heading_rad));
+  const Eigen::Vector2d left(-ahead.y(), ahead.x());
+  PerWheel<Eigen::Vector3d> foot;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    const Eigen::Vector3d hub_B = machine.wheels[i].hub_C + machine.mass.com_B;
+    const Eigen::Vector2d place = p_W + hub_B.x() * ahead + hub_B.y() * left;
+    foot[i] = {place.x(), place.y(), surface_at(machine.terrain, place.x(), place.y()).height_m};
+  }
+  const Eigen::Vector3d rear = 0.5 * (foot[0] + foot[1]);
+  const Eigen::Vector3d front = 0.5 * (foot[2] + foot[3]);
+  const Eigen::Vector3d x_axis = (front - rear).normalized();
+  const Eigen::Vector3d across = foot[0] - foot[1];
+  const Eigen::Vector3d z_axis = x_axis.cross(across).normalized();
+  ChassisState state;
+  state.R_WB.col(0) = x_axis;
+  state.R_WB.col(1) = z_axis.cross(x_axis);
+  state.R_WB.col(2) = z_axis;
+  state.p_WC = rear + state.R_WB * machine.mass.com_B;
+  return state;
+}
+
+Eigen::Vector3d origin_of(const ChassisState& chassis, const ChassisMass& mass) {
+  return chassis.p_WC - chassis.R_WB * mass.com_B;
+}
+
+StepReport step_machine(const Machine& machine, const DriverCommand& command, double steer_rad,
+                        double lowered, double dt_s, BulletWorld& world, MachineState& state) {
+  const Vehicle& vehicle = machine.vehicle;
+  StepReport report;
+  report.chassis = world.state();
+  const ChassisState& chassis = report.chassis;
+  report.contacts =
+      touch_ground(machine.terrain, chassis, machine.wheels, steer_rad, wheelbase_m(vehicle));
+  report.stored =
+      stored_energy(machine.mass, chassis, machine.wheels, state.wheels, report.contacts);
+
+  const double implement_w = implement_power_w(vehicle.implement, command);
+  const double other_w = vehicle.battery.auxiliary_power_w + implement_w;
+  const double available_w =
+      std::max(0.0, max_discharge_power_w(vehicle.battery, state.battery) - other_w);
+  const double acceptable_w = max_charge_power_w(vehicle.battery, state.battery) + other_w;
+  const double speed_mps = chassis.v_W.dot(chassis.R_WB.col(0));
+  const DrivetrainCommand drivetrain =
+      command_drive(vehicle, machine.wheels, report.contacts, command.wheel_torque_nm,
+                    motor_speed(machine, report.contacts, state.wheels, chassis.omega_W), speed_mps,
+                    available_w, acceptable_w, command.hold);
+
+  Load load;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    const WheelContact& contact = report.contacts[i];
+    load.add(contact.load_n * contact.normal, contact.normal_arm);
+    load.torque_W -= drivetrain.wheels[i].drive_nm * contact.axle;
+  }
+  const double draft_scale = std::clamp(speed_mps / kDraftFullSpeed_mps, -1.0, 1.0);
+  report.draft_n =
+      vehicle.implement.draft_n_per_m * vehicle.implement.working_width_m * lowered * draft_scale;
+  const Eigen::Vector3d draft_W = -report.draft_n * chassis.R_WB.col(0);
+  const Eigen::Vector3d draft_arm =
+      chassis.R_WB *
+      (Eigen::Vector3d(vehicle.implement.x_B_m, 0.0, vehicle.implement.draft_height_m) -
+       machine.mass.com_B);
+  load.add(draft_W, draft_arm);
+
+  const Eigen::Vector3d gravity(0.0, 0.0, -kGravity_mps2);
+  const Eigen::Vector3d v_free =
+      chassis.v_W + dt_s * (gravity + load.force_W / machine.mass.mass_kg);
+  const Eigen::Vector3d torque_B = chassis.R_WB.transpose() * load.torque_W;
+  const Eigen::Vector3d omega_free =
+      chassis.omega_W + dt_s * (chassis.R_WB * torque_B.cwiseQuotient(machine.mass.inertia_kg_m2));
+  PerWheel<double> spin_before{};
+  for (std::size_t i = 0; i < kWheels; ++i) spin_before[i] = state.wheels[i].spin_rad_per_s;
+  const TyreResult tyres =
+      solve_tyres(report.contacts, machine.wheels, drivetrain.wheels, machine.soil, machine.mass,
+                  chassis, v_free, omega_free, dt_s, state.wheels);
+  world.step(load.force_W + tyres.force_W, load.torque_W + tyres.torque_W, dt_s);
+
+  const ChassisState after = world.state();
+  const StepLosses losses =
+      step_losses({chassis, after, machine.wheels, report.contacts, drivetrain.wheels, spin_before,
+                   state.wheels, tyres, drivetrain.motor_nm, vehicle.drivetrain.gear_ratio, draft_W,
+                   draft_arm});
+  for (std::size_t i = 0; i < kEnergyCauses; ++i) {
+    report.energy.cause_j[i] = dt_s * losses.cause_w[i];
+  }
+  const double motor_loss =
+      motor_loss_w(vehicle.motor, drivetrain.motor_nm, losses.motor_speed_rad_per_s);
+  report.motor_nm = drivetrain.motor_nm;
+  report.motor_w = losses.motor_shaft_w + motor_loss;
+  report.battery_w = report.motor_w + other_w;
+  const BatteryFlow flow = draw(vehicle.battery, report.battery_w, dt_s, state.battery);
+  report.battery_v = flow.voltage_v;
+  report.energy.battery_j = dt_s * flow.chemistry_w;
+  charge(report.energy, EnergyCause::kBatteryLoss, dt_s * flow.loss_w);
+  charge(report.energy, EnergyCause::kMotor, dt_s * motor_loss);
+  charge(report.energy, EnergyCause::kAuxiliary, dt_s * vehicle.battery.auxiliary_power_w);
+  charge(report.energy, EnergyCause::kImplement, dt_s * implement_w);
+  report.slip = tyres.slip;
+  report.clipped = drivetrain.clipped;
+  return report;
+}
+
+}  // namespace headland

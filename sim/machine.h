@@ -1,0 +1,60 @@
+// The machine: body, wheels, drivetrain, battery and implement, advanced by one step.
+#pragma once
+
+#include "sim/battery.h"
+#include "sim/bullet_world.h"
+#include "sim/driver.h"
+#include "sim/drivetrain.h"
+#include "sim/ledger.h"
+#include "sim/wheel.h"
+#include "terrains/heightfield.h"
+#include "terrains/soil.h"
+#include "vehicle_models/vehicle.h"
+
+namespace headland {
+
+// What never changes in a run. Nothing is owned.
+struct Machine {
+  const Vehicle& vehicle;
+  const Heightfield& terrain;
+  const Soil& soil;
+  ChassisMass mass;
+  PerWheel<WheelDefinition> wheels;
+};
+
+Machine make_machine(const Vehicle& vehicle, const Heightfield& terrain, const Soil& soil);
+
+// What evolves besides the rigid body, which Bullet keeps.
+struct MachineState {
+  PerWheel<WheelState> wheels;
+  BatteryState battery;
+};
+
+// One step seen from outside: the state before it and what happened in it.
+struct StepReport {
+  ChassisState chassis;  // before
+  PerWheel<WheelContact> contacts;
+  StoredEnergy stored;  // before
+  PerWheel<double> slip{};
+  double motor_nm = 0.0;
+  double motor_w = 0.0;    // electrical
+  double battery_w = 0.0;  // at the terminals
+  double battery_v = 0.0;
+  double draft_n = 0.0;
+  bool clipped = false;
+  EnergyBalance energy;  // of the step, without the stores
+};
+
+// Attitude and height that fit the terrain under the wheels at a place and heading, at rest.
+ChassisState place_on_ground(const Machine& machine, const Eigen::Vector2d& p_W,
+                             double heading_rad);
+
+// Position of the rear-axle centre's ground point (origin of B) in W.
+Eigen::Vector3d origin_of(const ChassisState& chassis, const ChassisMass& mass);
+
+// Drives one step: motor, normal forces, draft, tyres, Bullet, battery, ledger. `lowered` is how
+// far the implement is down (0..1), `steer_rad` the angle of the virtual front wheel.
+StepReport step_machine(const Machine& machine, const DriverCommand& command, double steer_rad,
+                        double lowered, double dt_s, BulletWorld& world, MachineState& state);
+
+}  // namespace headland

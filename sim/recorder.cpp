@@ -1,0 +1,236 @@
+#include "sim/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace headland {
+namespace {
+
+constexpr double kHullCheckSpacing_m = 0.1;
+
+void raise_peak(Peak& peak, double value, double time_s, const Eigen::Vector2d& p_W) {
+  if (std::abs(value) > std::abs(peak.value)) peak = {value, time_s, p_W};
+}
+
+double load_transfer_ratio(const PerWheel<WheelContact>& contacts) {
+  const double left_n = contacts[0].load_n + contacts[2].load_n;
+  const double right_n = contacts[1].load_n + contacts[3].load_n;
+  const double total_n = left_n + right_n;
+  return total_n > 0.0 ? (left_n - right_n) / total_n : 0.0;
+}
+
+double worst_driven_slip(const Machine& machine, const PerWheel<double>& slip) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    if (machine.wheels[i].driven) worst = std::max(worst, slip[i]);
+  }
+  return worst;
+}
+
+struct Place {
+  Eigen::Vector3d p_WB;
+  Eigen::Vector3d yaw_pitch_roll;
+  Eigen::Vector2d ahead;
+  Eigen::Vector2d left;
+
+  Eigen::Vector2d at(double x_m, double y_m) const {
+    return p_WB.head<2>() + x_m * ahead + y_m * left;
+  }
+};
+
+Place place_of(const ChassisState& chassis, const ChassisMass& mass) {
+  Place place;
+  place.p_WB = origin_of(chassis, mass);
+  place.yaw_pitch_roll = yaw_pitch_roll(chassis.R_WB);
+  place.ahead = {std::cos(place.yaw_pitch_roll.x()), std::sin(place.yaw_pitch_roll.x())};
+  place.left = {-place.ahead.y(), place.ahead.x()};
+  return place;
+}
+
+void check_hull(Recorder& recorder, const Place& place, const ChassisState& chassis,
+                double time_s) {
+  const Vehicle& vehicle = recorder.machine.vehicle;
+  const Body& body = vehicle.body;
+  Peaks& peaks = recorder.record.peaks;
+  const double front_m = body.length_m - body.rear_overhang_m;
+  const double half_m = 0.5 * body.width_m;
+  bool belly_down = false;
+  for (const double x_m : {-body.rear_overhang_m, front_m}) {
+    for (const double y_m : {-half_m, half_m}) {
+      const Eigen::Vector2d corner = place.at(x_m, y_m);
+      raise_peak(peaks.boundary_overrun_m,
+                 std::max(0.0, -field_clearance_m(recorder.field, corner)), time_s, corner);
+      const Eigen::Vector3d probe =
+          place.p_WB + chassis.R_WB * Eigen::Vector3d(x_m, y_m, body.ground_clearance_m);
+      belly_down = belly_down ||
+                   probe.z() < surface_at(recorder.machine.terrain, probe.x(), probe.y()).height_m;
+    }
+  }
+  if (belly_down && !recorder.belly_down) ++peaks.belly_contacts;
+  recorder.belly_down = belly_down;
+  const double reach_m = 0.5 * vehicle.implement.working_width_m;
+  for (const double y_m : {-reach_m, reach_m}) {
+    const Eigen::Vector2d end = place.at(vehicle.implement.x_B_m, y_m);
+    raise_peak(peaks.implement_overhang_m, std::max(0.0, -field_clearance_m(recorder.field, end)),
+               time_s, end);
+  }
+}
+
+void leave_footprint(Recorder& recorder, const Place& place, bool working, double time_s) {
+  // A strip ends with a footprint where the implement leaves the ground, so that its last piece
+  // is not lost to the spacing.
+  const bool due = recorder.travel_m - recorder.last_footprint_m >= recorder.footprint_spacing_m;
+  if (working ? (recorder.strip_open && !due) : !recorder.strip_open) return;
+  const Implement& implement = recorder.machine.vehicle.implement;
+  const double reach_m = 0.5 * implement.working_width_m;
+  FootprintSample footprint;
+  footprint.left_W = place.at(implement.x_B_m, reach_m);
+  footprint.right_W = place.at(implement.x_B_m, -reach_m);
+  footprint.time_s = time_s;
+  footprint.travel_m = recorder.travel_m;
+  footprint.starts_strip = !recorder.strip_open;
+  recorder.record.footprints.push_back(footprint);
+  recorder.last_footprint_m = recorder.travel_m;
+  recorder.strip_open = working;
+}
+
+RunSample make_sample(const Recorder& recorder, const StepReport& report, const MachineState& state,
+                      const DriverState& driver, const DriverCommand& command, const Place& place) {
+  RunSample sample;
+  sample.time_s = static_cast<double>(recorder.step) * recorder.dt_s;
+  sample.travel_m = recorder.travel_m;
+  sample.p_WB = place.p_WB;
+  sample.yaw_rad = place.yaw_pitch_roll.x();
+  sample.pitch_rad = place.yaw_pitch_roll.y();
+  sample.roll_rad = place.yaw_pitch_roll.z();
+  sample.speed_mps = report.chassis.v_W.dot(report.chassis.R_WB.col(0));
+  sample.steer_rad = driver.steer_rad;
+  sample.slip = worst_driven_slip(recorder.machine, report.slip);
+  sample.load_transfer_ratio = load_transfer_ratio(report.contacts);
+  sample.cross_track_error_m = driver.cross_track_m;
+  sample.motor_torque_nm = report.motor_nm;
+  sample.motor_power_w = report.motor_w;
+  sample.battery_power_w = report.battery_w;
+  sample.battery_voltage_v = report.battery_v;
+  sample.soc = state.battery.soc;
+  sample.draft_n = report.draft_n;
+  sample.segment = command.segment;
+  sample.implement_down = command.working;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    sample.wheel_load_n[i] = report.contacts[i].load_n;
+    sample.wheel_angle_rad[i] = state.wheels[i].angle_rad;
+  }
+  return sample;
+}
+
+void raise_peaks(Recorder& recorder, const StepReport& report, const DriverState& driver,
+                 const DriverCommand& command, const Place& place, double time_s) {
+  Peaks& peaks = recorder.record.peaks;
+  const Eigen::Vector2d p_W = place.p_WB.head<2>();
+  raise_peak(peaks.slip, recorder.slip.add(worst_driven_slip(recorder.machine, report.slip)),
+             time_s, p_W);
+  raise_peak(peaks.load_transfer_ratio,
+             recorder.load_transfer.add(load_transfer_ratio(report.contacts)), time_s, p_W);
+  raise_peak(command.working ? peaks.cross_track_working_m : peaks.cross_track_turning_m,
+             driver.cross_track_m, time_s, p_W);
+  raise_peak(peaks.battery_power_w, report.battery_w, time_s, p_W);
+  raise_peak(peaks.pitch_rad, place.yaw_pitch_roll.y(), time_s, p_W);
+  raise_peak(peaks.roll_rad, place.yaw_pitch_roll.z(), time_s, p_W);
+  if (recorder.step == 0 || report.battery_v < peaks.min_voltage_v.value) {
+    peaks.min_voltage_v = {report.battery_v, time_s, p_W};
+  }
+  if (report.clipped) peaks.motor_clipped_s += recorder.dt_s;
+}
+
+void charge_stores(EnergyBalance& balance, const StoredEnergy& before, const StoredEnergy& after) {
+  const auto charge = [&balance](EnergyCause cause, double energy_j) {
+    balance.cause_j[static_cast<std::size_t>(cause)] += energy_j;
+  };
+  charge(EnergyCause::kGrade, after.grade_j - before.grade_j);
+  charge(EnergyCause::kKinetic, after.kinetic_j - before.kinetic_j);
+  charge(EnergyCause::kStored, after.spring_j - before.spring_j);
+}
+
+}  // namespace
+
+double SlidingMean::add(double value) {
+  sum += value - values[next];
+  values[next] = value;
+  next = (next + 1) % values.size();
+  filled = std::min(filled + 1, values.size());
+  if (next == 0) {
+    // Summed anew once a window: the running sum would gather rounding over a long run.
+    sum = 0.0;
+    for (const double v : values) sum += v;
+  }
+  return filled == values.size() ? sum / static_cast<double>(filled) : 0.0;
+}
+
+Recorder make_recorder(const Machine& machine, const Field& field, double rate_hz, double record_hz,
+                       double footprint_spacing_m) {
+  Recorder recorder{machine, field};
+  recorder.dt_s = 1.0 / rate_hz;
+  recorder.sample_every = std::max(1, static_cast<int>(std::lround(rate_hz / record_hz)));
+  recorder.footprint_spacing_m = footprint_spacing_m;
+  const auto window = static_cast<std::size_t>(std::max(1L, std::lround(kSustained_s * rate_hz)));
+  recorder.slip.values.assign(window, 0.0);
+  recorder.load_transfer.values.assign(window, 0.0);
+  return recorder;
+}
+
+void record_step(Recorder& recorder, const StepReport& report, const MachineState& state,
+                 const DriverState& driver, const DriverCommand& command) {
+  RunRecord& record = recorder.record;
+  const double time_s = static_cast<double>(recorder.step) * recorder.dt_s;
+  const Place place = place_of(report.chassis, recorder.machine.mass);
+
+  if (recorder.step > 0) {
+    charge_stores(record.segments.back().energy, recorder.stored_before, report.stored);
+  }
+  recorder.stored_before = report.stored;
+  if (record.segments.empty() || record.segments.back().segment != command.segment) {
+    SegmentRecord segment;
+    segment.segment = command.segment;
+    segment.start_time_s = time_s;
+    record.segments.push_back(segment);
+  }
+
+  const double step_m = report.chassis.v_W.head<2>().norm() * recorder.dt_s;
+  SegmentRecord& segment = record.segments.back();
+  segment.duration_s += recorder.dt_s;
+  segment.distance_m += step_m;
+  segment.cross_track_sum_m2 += driver.cross_track_m * driver.cross_track_m * step_m;
+  add(segment.energy, report.energy);
+
+  raise_peaks(recorder, report, driver, command, place, time_s);
+  if (recorder.travel_m >= recorder.next_hull_check_m) {
+    check_hull(recorder, place, report.chassis, time_s);
+    recorder.next_hull_check_m = recorder.travel_m + kHullCheckSpacing_m;
+  }
+  leave_footprint(recorder, place, command.working, time_s);
+  if (recorder.step % recorder.sample_every == 0) {
+    record.samples.push_back(make_sample(recorder, report, state, driver, command, place));
+  }
+  recorder.travel_m += step_m;
+  ++recorder.step;
+}
+
+void finish_record(Recorder& recorder, const StoredEnergy& stored, const MachineState& state) {
+  RunRecord& record = recorder.record;
+  if (!record.segments.empty()) {
+    charge_stores(record.segments.back().energy, recorder.stored_before, stored);
+  }
+  for (SegmentRecord& segment : record.segments) {
+    segment.energy.cause_j[static_cast<std::size_t>(EnergyCause::kResidual)] =
+        unaccounted_j(segment.energy);
+    add(record.energy, segment.energy);
+  }
+  const Battery& battery = recorder.machine.vehicle.battery;
+  record.duration_s = static_cast<double>(recorder.step) * recorder.dt_s;
+  record.distance_m = recorder.travel_m;
+  record.soc_end = state.battery.soc;
+  record.rested_voltage_start_v = open_circuit_voltage_v(battery, record.soc_start);
+  record.rested_voltage_end_v = open_circuit_voltage_v(battery, record.soc_end);
+}
+
+}  // namespace headland

@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/wheel.h"
+
+namespace headland {
+namespace {
+
+// Chassis velocities while impulses accumulate.
+struct Motion {
+  Eigen::Vector3d v_W;
+  Eigen::Vector3d omega_W;
+  double inverse_mass = 0.0;
+  Eigen::Matrix3d inverse_inertia_W;
+
+  void add_impulse(const Eigen::Vector3d& impulse, const Eigen::Vector3d& angular) {
+    v_W += inverse_mass * impulse;
+    omega_W += angular;
+  }
+};
+
+// One scalar tyre force: how the chassis point moves along `direction` per unit impulse there.
+struct Row {
+  Eigen::Vector3d arm;
+  Eigen::Vector3d direction;
+  Eigen::Vector3d angular;  // change of omega per unit impulse
+  double mobility = 0.0;    // change of velocity along direction per unit impulse
+  double impulse = 0.0;
+
+  Row() = default;
+  Row(const Motion& motion, const Eigen::Vector3d& arm_in, const Eigen::Vector3d& direction_in)
+      : arm(arm_in), direction(direction_in) {
+    const Eigen::Vector3d moment = arm.cross(direction);
+    angular = motion.inverse_inertia_W * moment;
+    mobility = motion.inverse_mass + angular.dot(moment);
+  }
+  double velocity(const Motion& motion) const {
+    return direction.dot(point_velocity(motion.v_W, motion.omega_W, arm));
+  }
+  void apply(Motion& motion, double change) {
+    motion.add_impulse(change * direction, change * angular);
+    impulse += change;
+  }
+};
+
+// The tyre law linearised about the present deflection: F = stiffness * z.
+struct Bristle {
+  double stiffness_x = 0.0;
+  double stiffness_y = 0.0;
+};
+
+Bristle linearise(const Soil& soil, double load_n, double z_x_m, double z_y_m) {
+  const double c_x = soil.slip_stiffness / kRelaxationLength_m;
+  const double c_y = 1.0 / (soil.lateral_gamma_rad * kRelaxationLength_m);
+  const double u = std::hypot(c_x * z_x_m, c_y * z_y_m);
+  constexpr double kSmall = 1e-9;  // below it (1 - exp(-u)) / u loses its digits; its limit is 1
+  const double secant = u > kSmall ? -std::expm1(-u) / u : 1.0;
+  const double strength = soil.friction * load_n * secant;
+  return {strength * c_x, strength * c_y};
+}
+
+// Implicit bristle over one step: z+ = (z + dt v+) / relax, F = k (z+ + tau (z+ - z) / dt), and
+// v+ = v_free + mobility p with p = -F dt. Returns p.
+double bristle_impulse(double stiffness, double z_m, double relax, double v_free, double mobility,
+                       double dt_s) {
+  const double damped = 1.0 + kBristleDamping_s / dt_s;
+  const double free_force =
+      stiffness * (damped * (z_m + dt_s * v_free) / relax - (damped - 1.0) * z_m);
+  return -dt_s * free_force / (1.0 + dt_s * dt_s * stiffness * damped * mobility / relax);
+}
+
+struct WheelRows {
+  Row x;
+  Row y;
+  Eigen::Vector3d brake_angular;  // change of omega per unit brake impulse on the wheel
+  double spin_free = 0.0;         // predicted with the drive torque alone
+  double coulomb_impulse = 0.0;   // signed, on the wheel, brake and rolling together
+  double coulomb_limit = 0.0;     // impulse
+  double brake_share = 0.0;       // of the limit
+  double relax_speed_mps = 0.0;
+  double z_x_new = 0.0;
+  double z_y_new = 0.0;
+};
+
+// Longitudinal force and spin together: rolling forwards, rolling backwards, or locked.
+void solve_along(WheelRows& rows, Motion& motion, const WheelDefinition& wheel,
+                 const WheelState& state, double stiffness, double limit_impulse, double relax,
+                 double dt_s) {
+  const double radius_m = wheel.radius_m;
+  const double brake_before = rows.coulomb_impulse * rows.brake_share;
+  motion.omega_W -= brake_before * rows.brake_angular;
+  const double hub_velocity = rows.x.velocity(motion) - rows.x.mobility * rows.x.impulse;
+  const double spin_per_impulse = radius_m / wheel.inertia_kg_m2;
+  const auto rolling = [&](double coulomb) {
+    const double spin = rows.spin_free + coulomb / wheel.inertia_kg_m2;
+    return std::clamp(
+        bristle_impulse(stiffness, state.bristle_x_m, relax, hub_velocity - radius_m * spin,
+                        rows.x.mobility + radius_m * spin_per_impulse, dt_s),
+        -limit_impulse, limit_impulse);
+  };
+  const auto spin_after = [&](double coulomb, double impulse) {
+    return rows.spin_free + coulomb / wheel.inertia_kg_m2 - spin_per_impulse * impulse;
+  };
+
+  double coulomb = -rows.coulomb_limit;
+  double impulse = rolling(coulomb);
+  double spin = spin_after(coulomb, impulse);
+  if (spin <= 0.0) {
+    coulomb = rows.coulomb_limit;
+    impulse = rolling(coulomb);
+    spin = spin_after(coulomb, impulse);
+    if (spin >= 0.0) {
+      impulse = std::clamp(
+          bristle_impulse(stiffness, state.bristle_x_m, relax, hub_velocity, rows.x.mobility, dt_s),
+          -limit_impulse, limit_impulse);
+      coulomb = std::clamp(-wheel.inertia_kg_m2 * rows.spin_free + radius_m * impulse,
+                           -rows.coulomb_limit, rows.coulomb_limit);
+      spin = 0.0;
+    }
+  }
+  rows.x.apply(motion, impulse - rows.x.impulse);
+  rows.coulomb_impulse = coulomb;
+  motion.omega_W += coulomb * rows.brake_share * rows.brake_angular;
+  const double contact_velocity = hub_velocity + rows.x.mobility * impulse - radius_m * spin;
+  rows.z_x_new = (state.bristle_x_m + dt_s * contact_velocity) / relax;
+}
+
+void solve_across(WheelRows& rows, Motion& motion, const WheelState& state, double stiffness,
+                  double limit_impulse, double relax, double dt_s) {
+  const double velocity = rows.y.velocity(motion) - rows.y.mobility * rows.y.impulse;
+  const double impulse = std::clamp(
+      bristle_impulse(stiffness, state.bristle_y_m, relax, velocity, rows.y.mobility, dt_s),
+      -limit_impulse, limit_impulse);
+  rows.y.apply(motion, impulse - rows.y.impulse);
+  rows.z_y_new = (state.bristle_y_m + dt_s * (velocity + rows.y.mobility * impulse)) / relax;
+}
+
+// Slip ratio as defined for driving (over the wheel's speed) and braking (over the ground speed).
+double slip_ratio(double hub_mps, double rim_mps) {
+  constexpr double kStandstill_mps = 0.1;  // below it a ratio of speeds says nothing
+  const double faster_mps = std::max(std::abs(hub_mps), std::abs(rim_mps));
+  if (faster_mps < kStandstill_mps) return 0.0;
+  return std::min(1.0, std::abs(rim_mps - hub_mps) / faster_mps);
+}
+
+}  // namespace
+
+TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
+                       const PerWheel<WheelDefinition>& wheels,
+                       const PerWheel<WheelTorques>& torques, const Soil& soil,
+                       const ChassisMass& mass, const ChassisState& chassis,
+                       const Eigen::Vector3d& v_W, const Eigen::Vector3d& omega_W, double dt_s,
+                       PerWheel<WheelState>& states) {
+  Motion motion{
+      v_W, omega_W, 1.0 / mass.mass_kg,
+      chassis.R_WB * mass.inertia_kg_m2.cwiseInverse().asDiagonal() * chassis.R_WB.transpose()};
+  PerWheel<WheelRows> rows;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    const WheelContact& contact = contacts[i];
+    const WheelDefinition& wheel = wheels[i];
+    WheelRows& row = rows[i];
+    row.x = Row(motion, contact.hub_arm, contact.along);
+    row.y = Row(motion, contact.lateral_arm, contact.across);
+    row.brake_angular = -(motion.inverse_inertia_W * contact.axle);
+    row.spin_free = states[i].spin_rad_per_s + dt_s * torques[i].drive_nm / wheel.inertia_kg_m2;
+    const double rolling_nm = soil.rolling_resistance * contact.load_n * wheel.radius_m;
+    const double coulomb_nm = rolling_nm + torques[i].brake_max_nm;
+    row.coulomb_limit = dt_s * coulomb_nm;
+    row.brake_share = coulomb_nm > 0.0 ? torques[i].brake_max_nm / coulomb_nm : 0.0;
+    const double rim_mps = wheel.radius_m * states[i].spin_rad_per_s;
+    const double hub_mps = row.x.velocity(motion);
+    row.relax_speed_mps = std::max({std::abs(rim_mps), std::abs(hub_mps),
+                                    std::abs(hub_mps - rim_mps), std::abs(row.y.velocity(motion))});
+    row.z_x_new = states[i].bristle_x_m;
+    row.z_y_new = states[i].bristle_y_m;
+  }
+
+  for (int iteration = 0; iteration < kTyreIterations; ++iteration) {
+    for (std::size_t i = 0; i < kWheels; ++i) {
+      WheelRows& row = rows[i];
+      const Bristle bristle = linearise(soil, contacts[i].load_n, row.z_x_new, row.z_y_new);
+      const double relax = 1.0 + dt_s * row.relax_speed_mps / kRelaxationLength_m;
+      const double limit = dt_s * soil.friction * contacts[i].load_n;
+      solve_along(row, motion, wheels[i], states[i], bristle.stiffness_x, limit, relax, dt_s);
+      const double left_over =
+          std::sqrt(std::max(0.0, limit * limit - row.x.impulse * row.x.impulse));
+      solve_across(row, motion, states[i], bristle.stiffness_y, left_over, relax, dt_s);
+    }
+  }
+
+  TyreResult result;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    WheelRows& row = rows[i];
+    WheelState& state = states[i];
+    state.spin_rad_per_s =
+        row.spin_free +
+        (row.coulomb_impulse - wheels[i].radius_m * row.x.impulse) / wheels[i].inertia_kg_m2;
+    state.angle_rad += dt_s * state.spin_rad_per_s;
+    state.bristle_x_m = row.z_x_new;
+    state.bristle_y_m = row.z_y_new;
+    result.along_n[i] = row.x.impulse / dt_s;
+    result.across_n[i] = row.y.impulse / dt_s;
+    result.brake_nm[i] = row.brake_share * row.coulomb_impulse / dt_s;
+    result.rolling_nm[i] = row.coulomb_impulse / dt_s - result.brake_nm[i];
+    result.slip[i] = slip_ratio(row.x.velocity(motion), wheels[i].radius_m * state.spin_rad_per_s);
+    const Eigen::Vector3d along = result.along_n[i] * row.x.direction;
+    const Eigen::Vector3d across = result.across_n[i] * row.y.direction;
+    result.force_W += along + across;
+    result.torque_W +=
+        row.x.arm.cross(along) + row.y.arm.cross(across) - result.brake_nm[i] * contacts[i].axle;
+  }
+  return result;
+}
+
+}  // namespace headland

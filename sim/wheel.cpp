@@ -1,0 +1,139 @@
+#include "sim/wheel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace headland {
+namespace {
+
+WheelDefinition define_wheel(const Axle& axle, bool left, bool steered, const ChassisMass& mass,
+                             double static_load_n) {
+  WheelDefinition wheel;
+  const double half_track_m = 0.5 * axle.track_m;
+  wheel.hub_C =
+      Eigen::Vector3d(axle.x_B_m, left ? half_track_m : -half_track_m, axle.radius_m) - mass.com_B;
+  wheel.radius_m = axle.radius_m;
+  wheel.free_radius_m = axle.radius_m + static_load_n / axle.vertical_stiffness_n_per_m;
+  wheel.inertia_kg_m2 = axle.wheel_inertia_kg_m2;
+  wheel.stiffness_n_per_m = axle.vertical_stiffness_n_per_m;
+  wheel.damping_n_s_per_m = axle.vertical_damping_n_s_per_m;
+  wheel.driven = axle.driven;
+  wheel.steered = steered;
+  wheel.left = left;
+  wheel.oscillation_max_rad = axle.oscillation_max_rad;
+  return wheel;
+}
+
+// Vertical gap geometry of one wheel before its axle's pivot is considered.
+struct Gap {
+  Eigen::Vector3d hub_W;
+  Eigen::Vector3d slope_normal;  // (-hx, -hy, 1), not normalised
+  double deflection_m = 0.0;     // may be negative: in the air
+  double rate_mps = 0.0;
+  bool on_terrain = true;
+};
+
+Gap measure_gap(const Heightfield& terrain, const ChassisState& chassis,
+                const WheelDefinition& wheel) {
+  Gap gap;
+  const Eigen::Vector3d arm = chassis.R_WB * wheel.hub_C;
+  gap.hub_W = chassis.p_WC + arm;
+  const SurfacePoint ground = surface_at(terrain, gap.hub_W.x(), gap.hub_W.y());
+  gap.slope_normal = {-ground.gradient.x(), -ground.gradient.y(), 1.0};
+  gap.deflection_m = wheel.free_radius_m - (gap.hub_W.z() - ground.height_m);
+  gap.rate_mps = -gap.slope_normal.dot(point_velocity(chassis.v_W, chassis.omega_W, arm));
+  gap.on_terrain = ground.inside;
+  return gap;
+}
+
+}  // namespace
+
+PerWheel<WheelDefinition> define_wheels(const Vehicle& vehicle, const ChassisMass& mass) {
+  const double front_share = mass.com_B.x() / wheelbase_m(vehicle);
+  const double weight_n = mass.mass_kg * kGravity_mps2;
+  PerWheel<WheelDefinition> wheels;
+  for (int i = 0; i < kWheels; ++i) {
+    const bool front = i >= 2;
+    const double load_n = 0.5 * weight_n * (front ? front_share : 1.0 - front_share);
+    auto& wheel = wheels[static_cast<std::size_t>(i)];
+    wheel = define_wheel(front ? vehicle.front : vehicle.rear, i % 2 == 0, front, mass, load_n);
+    wheel.partner = i ^ 1;
+  }
+  return wheels;
+}
+
+double ackermann_rad(double steer_rad, double wheelbase_m, double half_track_m, bool left) {
+  const double tangent = std::tan(steer_rad);
+  const double side_m = left ? half_track_m : -half_track_m;
+  return std::atan2(wheelbase_m * tangent, wheelbase_m - side_m * tangent);
+}
+
+PerWheel<WheelContact> touch_ground(const Heightfield& terrain, const ChassisState& chassis,
+                                    const PerWheel<WheelDefinition>& wheels, double steer_rad,
+                                    double wheelbase_m) {
+  PerWheel<Gap> gaps;
+  for (std::size_t i = 0; i < kWheels; ++i) gaps[i] = measure_gap(terrain, chassis, wheels[i]);
+
+  PerWheel<WheelContact> contacts;
+  const Eigen::Vector3d forward = chassis.R_WB.col(0);
+  const Eigen::Vector3d left = chassis.R_WB.col(1);
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    const WheelDefinition& wheel = wheels[i];
+    const Gap& gap = gaps[i];
+    WheelContact& contact = contacts[i];
+    contact.on_terrain = gap.on_terrain;
+    contact.hub_arm = gap.hub_W - chassis.p_WC;
+    contact.normal_arm = contact.hub_arm;
+    contact.normal = gap.slope_normal.normalized();
+
+    const bool pivoted = wheel.oscillation_max_rad > 0.0;
+    double deflection_m = gap.deflection_m;
+    double rate_mps = gap.rate_mps;
+    if (pivoted) {
+      // The massless axle turns about its pivot until both wheels carry the same.
+      const Gap& other = gaps[static_cast<std::size_t>(wheel.partner)];
+      const double half_difference_m = 0.5 * (gap.deflection_m - other.deflection_m);
+      const double limit_m = std::abs(wheel.hub_C.y()) * std::tan(wheel.oscillation_max_rad);
+      const double beyond_m = half_difference_m - std::clamp(half_difference_m, -limit_m, limit_m);
+      deflection_m = 0.5 * (gap.deflection_m + other.deflection_m) + beyond_m;
+      if (beyond_m == 0.0) {
+        rate_mps = 0.5 * (gap.rate_mps + other.rate_mps);
+        contact.normal_arm -= left * wheel.hub_C.y();
+      }
+    }
+    if (deflection_m > 0.0) {
+      const double scale = gap.slope_normal.norm();
+      const double spring_n = wheel.stiffness_n_per_m * deflection_m;
+      // A tyre does not pull: damping can at most cancel the spring.
+      const double damping_n = std::max(wheel.damping_n_s_per_m * rate_mps, -spring_n);
+      contact.deflection_m = deflection_m;
+      contact.load_n = scale * (spring_n + damping_n);
+      contact.damping_n = scale * damping_n;
+    }
+
+    double angle_rad = 0.0;
+    if (wheel.steered) {
+      angle_rad = ackermann_rad(steer_rad, wheelbase_m, std::abs(wheel.hub_C.y()), wheel.left);
+    }
+    const Eigen::Vector3d heading = std::cos(angle_rad) * forward + std::sin(angle_rad) * left;
+    contact.axle = std::cos(angle_rad) * left - std::sin(angle_rad) * forward;
+    contact.along = (heading - heading.dot(contact.normal) * contact.normal).normalized();
+    contact.across = contact.normal.cross(contact.along);
+    // With a pivot the lateral force reaches the chassis at the pivot, not at the ground.
+    contact.lateral_arm =
+        pivoted ? contact.hub_arm : contact.hub_arm - wheel.radius_m * contact.normal;
+  }
+  return contacts;
+}
+
+double spring_energy_j(const PerWheel<WheelContact>& contacts,
+                       const PerWheel<WheelDefinition>& wheels) {
+  double energy_j = 0.0;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    energy_j +=
+        0.5 * wheels[i].stiffness_n_per_m * contacts[i].deflection_m * contacts[i].deflection_m;
+  }
+  return energy_j;
+}
+
+}  // namespace headland

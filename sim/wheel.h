@@ -1,0 +1,108 @@
+// Wheels: where they stand on the terrain, what carries them, and how tyre forces are solved.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "sim/chassis.h"
+#include "terrains/heightfield.h"
+#include "terrains/soil.h"
+#include "vehicle_models/vehicle.h"
+
+namespace headland {
+
+inline constexpr int kWheels = 4;  // rear left, rear right, front left, front right
+
+inline constexpr double kRelaxationLength_m = 0.3;  // bristle length of the tyre, both directions
+inline constexpr double kBristleDamping_s = 0.02;   // LuGre-like; only felt while forces build up
+inline constexpr int kTyreIterations = 3;           // Gauss-Seidel sweeps over all wheels
+
+template <typename T>
+using PerWheel = std::array<T, kWheels>;
+
+// What never changes in a run. Frame B with its origin moved to the centre of mass (C).
+struct WheelDefinition {
+  Eigen::Vector3d hub_C = Eigen::Vector3d::Zero();
+  double radius_m = 0.0;       // rolling radius: lever of the tyre force
+  double free_radius_m = 0.0;  // unloaded: radius plus the static deflection
+  double inertia_kg_m2 = 0.0;
+  double stiffness_n_per_m = 0.0;
+  double damping_n_s_per_m = 0.0;
+  bool driven = false;
+  bool steered = false;
+  bool left = false;
+  int partner = 0;                   // the other wheel of the axle
+  double oscillation_max_rad = 0.0;  // of the axle; 0: rigid
+};
+
+PerWheel<WheelDefinition> define_wheels(const Vehicle& vehicle, const ChassisMass& mass);
+
+struct WheelState {
+  double spin_rad_per_s = 0.0;  // absolute, about the axle, forward rolling positive
+  double angle_rad = 0.0;
+  double bristle_x_m = 0.0;  // deflection of the tyre along and across the wheel
+  double bristle_y_m = 0.0;
+};
+
+// A wheel's contact in one step. Vectors in W, offsets from the centre of mass.
+struct WheelContact {
+  Eigen::Vector3d normal_arm = Eigen::Vector3d::Zero();   // where the normal force acts
+  Eigen::Vector3d hub_arm = Eigen::Vector3d::Zero();      // where the longitudinal force acts
+  Eigen::Vector3d lateral_arm = Eigen::Vector3d::Zero();  // where the lateral force acts
+  Eigen::Vector3d along = Eigen::Vector3d::UnitX();       // in the ground plane, wheel's heading
+  Eigen::Vector3d across = Eigen::Vector3d::UnitY();      // in the ground plane, to the left
+  Eigen::Vector3d axle = Eigen::Vector3d::UnitY();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  double load_n = 0.0;        // normal force, >= 0
+  double damping_n = 0.0;     // part of it that is tyre damping
+  double deflection_m = 0.0;  // vertical, 0 in the air
+  bool on_terrain = true;
+};
+
+// Normal forces: a spring over the vertical gap, R - (z_hub - h), along (-hx, -hy, 1), which is
+// exactly conservative on the triangulated surface, with damping; applied on the line from the
+// hub along the terrain normal, so that it never pushes the vehicle uphill. A pivoted axle shares
+// its load equally between its wheels up to its oscillation limit.
+PerWheel<WheelContact> touch_ground(const Heightfield& terrain, const ChassisState& chassis,
+                                    const PerWheel<WheelDefinition>& wheels, double steer_rad,
+                                    double wheelbase_m);
+
+// Steer angle [rad] of the left or right front wheel (Ackermann) for the angle on the centre line.
+double ackermann_rad(double steer_rad, double wheelbase_m, double half_track_m, bool left);
+
+// Energy [J] in the tyres' vertical springs.
+double spring_energy_j(const PerWheel<WheelContact>& contacts,
+                       const PerWheel<WheelDefinition>& wheels);
+
+// Torques [N m] about a wheel's axle. Drive acts between chassis and wheel; brake and rolling
+// resistance are Coulomb limits >= 0 that may lock the wheel.
+struct WheelTorques {
+  double drive_nm = 0.0;
+  double brake_max_nm = 0.0;
+};
+
+// What the tyres did in one step.
+struct TyreResult {
+  PerWheel<double> along_n{};  // on the chassis, along and across the wheel
+  PerWheel<double> across_n{};
+  PerWheel<double> brake_nm{};                        // on the wheel, signed
+  PerWheel<double> rolling_nm{};                      // on the wheel, signed
+  PerWheel<double> slip{};                            // 0..1, driving or braking
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();  // all on the chassis, besides normal forces
+  Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();
+};
+
+// Wheel spin and both tyre forces of all wheels, solved implicitly together over one step, with
+// `v_W` and `omega_W` the chassis velocities predicted with everything but tyres and brakes.
+// Longitudinal and lateral bristles of relaxation length kRelaxationLength_m, saturated together:
+//   F = N mu (1 - exp(-|u|)) u / |u|,  u = (c_x z_x, c_y z_y) / relaxation length,
+// whose steady state is N mu (1 - exp(-c_x s)) in slip and N mu (1 - exp(-|a| / gamma)) in slip
+// angle (Crolla). Advances `states`.
+TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
+                       const PerWheel<WheelDefinition>& wheels,
+                       const PerWheel<WheelTorques>& torques, const Soil& soil,
+                       const ChassisMass& mass, const ChassisState& chassis,
+                       const Eigen::Vector3d& v_W, const Eigen::Vector3d& omega_W, double dt_s,
+                       PerWheel<WheelState>& states);
+
+}  // namespace headland
