@@ -1,0 +1,51 @@
+// The headland: rounds of the working width along the boundary and around holes and obstacles.
+#pragma once
+
+#include <vector>
+
+#include "planner/plan.h"
+#include "planner/polygon.h"
+
+namespace headland {
+
+// Kept between the hull and the boundary on rings [m] where the vehicle is wider than the
+// implement.
+inline constexpr double kHullClearance_m = 0.15;
+
+// A closed round (first point == last), kRingSpacing_m between points, never tighter than the
+// turning radius. `round` counts from the boundary inwards.
+struct HeadlandRing {
+  int round = 0;
+  bool around_hole = false;
+  Polyline line_W;
+};
+
+struct Headland {
+  double width_m = 0.0;
+  std::vector<HeadlandRing> rings;  // by round; within a round as GEOS gives them
+  PolygonSet inner;                 // ground left for swaths
+  PolygonSet drivable;  // where the middle of a swath may run: implement and hull inside
+};
+
+// Distance [m] of the outermost ring from the boundary: half the working width, or half the hull
+// and its clearance where that is more.
+double first_ring_distance_m(const PlanRequest& request);
+
+// Depth [m] that turning round takes from the end of a swath to the boundary. U-turn and
+// three-point turn both begin with a quarter circle of the turning radius R, so
+//   depth = rear + max(R + w/2, hypot(R + hull width/2, front))
+// with the implement lifted but its width w swung along, the front corner of the hull, and the
+// rear overhang by which the axle is ahead of the working line.
+double turning_depth_m(const PlanRequest& request);
+
+// Smallest number of rounds whose ground is turning_depth_m deep.
+int rounds_for_turning(const PlanRequest& request);
+
+// `rounds` >= 1 rings at first_ring_distance_m, one working width apart. A round that splits
+// becomes several rings, where the ground is narrower than two turning radii it vanishes; rounds
+// of boundary and holes that would meet are one round around both. Ground inside the first round
+// that no later round reaches, in pieces of more than a working width squared, is left to the
+// swaths. Throws PlanInfeasible when not even one ring fits.
+Headland make_headland(const PlanRequest& request, int rounds);
+
+}  // namespace headland

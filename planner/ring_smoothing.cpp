@@ -1,0 +1,134 @@
+#include "planner/ring_smoothing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace headland {
+namespace {
+
+// GEOS simplifies what it buffers by 1 % of the distance, which flattens arcs that run the other
+// way into chords; in steps the chords are short enough for the filter to remove.
+constexpr int kErosionSteps = 3;
+// Ground that may be lacking from the clearance before the boundary swings out [fraction of the
+// radius]: below the rounding's own error.
+constexpr double kClearanceSlack = 0.02;
+constexpr int kSwingBisections = 8;
+
+int quadrant_segments(double radius_m) {
+  return std::max(kQuadrantSegments,
+                  static_cast<int>(std::ceil(radius_m * std::numbers::pi / 2.0 / kRingSpacing_m)));
+}
+
+PolygonSet in_steps(PolygonSet set, double distance_m) {
+  for (int step = 0; step < kErosionSteps; ++step) {
+    set = buffered(set, distance_m / kErosionSteps, Join::kRound,
+                   quadrant_segments(std::abs(distance_m)));
+  }
+  return set;
+}
+
+PolygonSet closed_by(const PolygonSet& set, double radius_m) {
+  return in_steps(buffered(set, radius_m, Join::kRound, quadrant_segments(radius_m)), -radius_m);
+}
+
+PolygonSet opened_by(const PolygonSet& set, double radius_m) {
+  return in_steps(buffered(set, -radius_m, Join::kRound, quadrant_segments(radius_m)), radius_m);
+}
+
+// Where `ground` lies outside of what keeps the clearance.
+PolygonSet excess(const PolygonSet& ground, const PolygonSet& clear) {
+  return difference(ground, clear);
+}
+
+}  // namespace
+
+PolygonSet rounded(const PolygonSet& ground, double radius_m, const PolygonSet& limit,
+                   double clearance_m) {
+  const PolygonSet clear =
+      buffered(limit, -(clearance_m - kClearanceSlack * radius_m), Join::kRound);
+  PolygonSet free = closed_by(ground, radius_m);
+  const PolygonSet too_near = excess(free, clear);
+  if (!too_near.parts.empty()) {
+    // The smallest shift of the boundary with which closing keeps the clearance everywhere.
+    double low_m = 0.0;
+    double high_m = radius_m;
+    for (int i = 0; i < kSwingBisections; ++i) {
+      const double shift_m = 0.5 * (low_m + high_m);
+      const PolygonSet shifted = closed_by(buffered(ground, -shift_m, Join::kMitre), radius_m);
+      (excess(shifted, clear).parts.empty() ? high_m : low_m) = shift_m;
+    }
+    // Shifting only around those places: a union of sets that a disc can be rolled around inside
+    // is such a set again, so the swing keeps the radius.
+    const PolygonSet place = buffered(too_near, 2.0 * radius_m, Join::kRound);
+    const PolygonSet kept_out =
+        opened_by(difference(place, buffered(ground, -high_m, Join::kMitre)), radius_m);
+    free = difference(free, kept_out);
+  }
+  return opened_by(free, radius_m);
+}
+
+Polyline smoothed_ring(const Ring& ring, double sigma_m) {
+  const std::size_t corners = ring.size();
+  std::vector<double> station_m(corners + 1, 0.0);
+  for (std::size_t i = 0; i < corners; ++i) {
+    station_m[i + 1] = station_m[i] + (ring[(i + 1) % corners] - ring[i]).norm();
+  }
+  const double perimeter_m = station_m.back();
+  const auto count =
+      std::max<std::size_t>(3, static_cast<std::size_t>(std::ceil(perimeter_m / kRingSpacing_m)));
+  const double spacing_m = perimeter_m / static_cast<double>(count);
+  std::vector<Eigen::Vector2d> even;
+  even.reserve(count);
+  for (std::size_t i = 0, edge = 0; i < count; ++i) {
+    const double at_m = spacing_m * static_cast<double>(i);
+    while (edge + 1 < corners && station_m[edge + 1] < at_m) ++edge;
+    const double edge_m = station_m[edge + 1] - station_m[edge];
+    const double along = edge_m > 0.0 ? (at_m - station_m[edge]) / edge_m : 0.0;
+    even.emplace_back((1.0 - along) * ring[edge] + along * ring[(edge + 1) % corners]);
+  }
+
+  const auto reach =
+      std::min(count / 2, static_cast<std::size_t>(std::ceil(4.0 * sigma_m / spacing_m)));
+  std::vector<double> weight(reach + 1);
+  double sum = 0.0;
+  for (std::size_t k = 0; k <= reach; ++k) {
+    const double x = spacing_m * static_cast<double>(k) / sigma_m;
+    weight[k] = std::exp(-0.5 * x * x);
+    sum += k == 0 ? weight[k] : 2.0 * weight[k];
+  }
+  Polyline smooth(count, Eigen::Vector2d::Zero());
+  for (std::size_t i = 0; i < count; ++i) {
+    Eigen::Vector2d mean = weight[0] * even[i];
+    for (std::size_t k = 1; k <= reach; ++k) {
+      mean += weight[k] * (even[(i + k) % count] + even[(i + count - k) % count]);
+    }
+    smooth[i] = mean / sum;
+  }
+  smooth.push_back(smooth.front());
+  return smooth;
+}
+
+double tightest_radius_m(const Polyline& closed, double window_m) {
+  const std::size_t count = closed.size() - 1;
+  const double spacing_m = length_m(closed) / static_cast<double>(count);
+  const auto step =
+      std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(window_m / spacing_m)), 1,
+                              std::max<std::size_t>(1, count / 3));
+  double tightest_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector2d& middle = closed[i];
+    const Eigen::Vector2d a = closed[(i + count - step) % count] - middle;
+    const Eigen::Vector2d b = closed[(i + step) % count] - middle;
+    const double twice_area_m2 = std::abs(a.x() * b.y() - a.y() * b.x());
+    if (twice_area_m2 > 0.0) {
+      tightest_m =
+          std::min(tightest_m, a.norm() * b.norm() * (a - b).norm() / (2.0 * twice_area_m2));
+    }
+  }
+  return tightest_m;
+}
+
+}  // namespace headland

@@ -1,0 +1,57 @@
+// Parallel swaths over the ground inside the headland, and their best direction.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "planner/plan.h"
+#include "planner/polygon.h"
+
+namespace headland {
+
+// More lines than this across one field are refused: a unit gone wrong, not a field.
+inline constexpr int kMaxSwathLines = 20000;
+// Angle between the directions tried besides those of the field's edges.
+inline constexpr double kDirectionGrid_deg = 1.0;
+
+// A swath on line `line` from along = from_m to along = to_m, from_m < to_m.
+struct Swath {
+  int line = 0;
+  double from_m = 0.0;
+  double to_m = 0.0;
+};
+
+// Lines in direction `direction_rad`, 0..pi, `spacing_m` apart; swaths by line, then along it.
+struct SwathGrid {
+  double direction_rad = 0.0;
+  double first_line_m = 0.0;  // of line 0 across the direction, to its left
+  double spacing_m = 0.0;
+  int lines = 0;
+  std::vector<Swath> swaths;
+};
+
+// p_W of a place on a line.
+Eigen::Vector2d point_on_line(const SwathGrid& grid, int line, double along_m);
+
+double length_m(const SwathGrid& grid);
+
+// Length [m] of the shortest turn from a swath onto the next for turning radius R: U-turn
+// w + (pi - 2) R where w >= 2 R, else three-point turn (pi + 2) R - w.
+double turn_length_m(double width_m, double turning_radius_m);
+
+// Covers `inner` with strips of width_m. As many lines as the width needs, spread evenly: what is
+// left over of the last strip becomes an equal overlap of all, which tracking errors use up before
+// they leave gaps. A swath reaches as far as the ground anywhere across its strip does, not just on
+// its middle line, so slanted ends are covered. Swaths on one line are joined where the gap is at
+// most bridge_m and the line between them runs in `drivable`.
+// Throws PlanInfeasible for more than kMaxSwathLines lines.
+SwathGrid lay_swaths(const PolygonSet& inner, const PolygonSet& drivable, double direction_rad,
+                     double width_m, double bridge_m);
+
+// The grid with the least length_m + turn_length_m per swath, over the directions of all edges of
+// the field (longest first) and kDirectionGrid_deg steps from the longest. Of equal ones the
+// first.
+SwathGrid best_swaths(const Field& field, const PolygonSet& inner, const PolygonSet& drivable,
+                      double width_m, double turning_radius_m);
+
+}  // namespace headland
