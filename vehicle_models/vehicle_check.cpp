@@ -22,6 +22,9 @@ constexpr double kGravity_mps2 = 9.80665;
 void check_body(const Vehicle& vehicle, const std::string& source) {
   const Body& body = vehicle.body;
   const Eigen::Vector3d& inertia = body.inertia_kg_m2;
+  if (inertia.minCoeff() <= 0.0) {
+    refuse(source, "body.inertia_kg_m2", inertia.minCoeff(), "every moment must be above 0");
+  }
   if (2.0 * inertia.maxCoeff() > inertia.sum()) {
     refuse(source, "body.inertia_kg_m2", inertia.maxCoeff(),
            "no rigid body has one moment of inertia larger than the sum of the other two");

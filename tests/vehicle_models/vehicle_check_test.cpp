@@ -1,0 +1,108 @@
+#include "vehicle_models/vehicle_check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+
+#include "terrains/input_error.h"
+#include "vehicle_models/vehicle_loader.h"
+
+namespace headland {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+// What the check says about the plain test vehicle after one change; empty when it takes it.
+std::string refusal(const std::function<void(Vehicle&)>& change) {
+  Vehicle vehicle =
+      load_vehicle((std::filesystem::path(HEADLAND_TEST_DATA) / "vehicles/plain").string());
+  change(vehicle);
+  try {
+    check_vehicle(vehicle, "test");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(VehicleCheck, TakesThePlainVehicle) {
+  EXPECT_EQ(refusal([](Vehicle&) {}), "");
+}
+
+TEST(VehicleCheck, RefusesInertiaThatNoBodyHas) {
+  const auto zero = [](Vehicle& v) { v.body.inertia_kg_m2.setZero(); };
+  EXPECT_THAT(refusal(zero), AllOf(HasSubstr("body.inertia_kg_m2: '0'"), HasSubstr("above 0")));
+  const auto impossible = [](Vehicle& v) { v.body.inertia_kg_m2 = {100.0, 100.0, 201.0}; };
+  EXPECT_THAT(refusal(impossible),
+              AllOf(HasSubstr("body.inertia_kg_m2: '201'"), HasSubstr("sum of the other two")));
+}
+
+TEST(VehicleCheck, RefusesACentreOfMassOutsideTheWheelbaseOrTheHull) {
+  EXPECT_THAT(refusal([](Vehicle& v) { v.body.com_B.x() = -0.1; }),
+              AllOf(HasSubstr("body.com_B: '-0.1'"), HasSubstr("x in (0, 1.4) m")));
+  EXPECT_THAT(refusal([](Vehicle& v) { v.body.com_B.x() = 1.5; }), HasSubstr("between the axles"));
+  EXPECT_THAT(refusal([](Vehicle& v) { v.body.com_B.z() = 1.8; }), HasSubstr("z below 1.75 m"));
+}
+
+TEST(VehicleCheck, RefusesAHullThatDoesNotFitTogether) {
+  EXPECT_THAT(refusal([](Vehicle& v) { v.body.ground_clearance_m = 1.8; }),
+              AllOf(HasSubstr("body.ground_clearance_m: '1.8'"), HasSubstr("1.75 m")));
+  EXPECT_THAT(refusal([](Vehicle& v) { v.body.rear_overhang_m = 3.1; }),
+              AllOf(HasSubstr("body.rear_overhang_m: '3.1'"), HasSubstr("3.05 m")));
+}
+
+TEST(VehicleCheck, RefusesWheelsThatHangBelowTheHull) {
+  EXPECT_THAT(refusal([](Vehicle& v) { v.front.radius_m = 0.2; }),
+              AllOf(HasSubstr("front.radius_m: '0.2'"), HasSubstr("0.28 m")));
+}
+
+TEST(VehicleCheck, RefusesTyresThatSagTooFar) {
+  EXPECT_THAT(refusal([](Vehicle& v) { v.rear.vertical_stiffness_n_per_m = 20000.0; }),
+              AllOf(HasSubstr("rear.vertical_stiffness_n_per_m: '20000'"), HasSubstr("0.10 m")));
+}
+
+TEST(VehicleCheck, RefusesAnImplementThatLiftsTheFrontAxle) {
+  EXPECT_THAT(refusal([](Vehicle& v) { v.implement.mass_kg = 400.0; }),
+              AllOf(HasSubstr("implement.mass_kg: '400'"), HasSubstr("at least 10 %")));
+}
+
+TEST(VehicleCheck, RefusesAVehicleWithoutDriveOrWithTwoRadiiOnOneGear) {
+  EXPECT_THAT(refusal([](Vehicle& v) { v.rear.driven = false; }),
+              HasSubstr("at least one axle must be driven"));
+  EXPECT_THAT(refusal([](Vehicle& v) { v.front.driven = true; }),
+              AllOf(HasSubstr("front.radius_m: '0.3'"), HasSubstr("0.34 m")));
+  const auto equal = [](Vehicle& v) {
+    v.front.driven = true;
+    v.front.radius_m = v.rear.radius_m;
+  };
+  EXPECT_EQ(refusal(equal), "");
+}
+
+TEST(VehicleCheck, SaysTheSpeedThatAGearReachesAndTheGearThatWouldDo) {
+  // 260 rad/s / 100 * 0.34 m = 0.88 m/s; the driver's fastest is 1.2 m/s in transit.
+  EXPECT_THAT(refusal([](Vehicle& v) { v.drivetrain.gear_ratio = 100.0; }),
+              AllOf(HasSubstr("drivetrain.gear_ratio: '100'"), HasSubstr("reaches 0.88 m/s"),
+                    HasSubstr("wants 1.20 m/s"), HasSubstr("at most 73.7")));
+}
+
+TEST(VehicleCheck, RefusesAnImplementThatTheMotorCannotPull) {
+  EXPECT_THAT(refusal([](Vehicle& v) { v.implement.draft_n_per_m = 5000.0; }),
+              AllOf(HasSubstr("implement.draft_n_per_m: '5000'"), HasSubstr("draws 10000 N")));
+}
+
+TEST(VehicleCheck, RefusesBrakesThatDoNotHold) {
+  EXPECT_THAT(refusal([](Vehicle& v) { v.drivetrain.brake_torque_max_nm = 300.0; }),
+              AllOf(HasSubstr("drivetrain.brake_torque_max_nm: '300'"), HasSubstr("20 % slope")));
+}
+
+TEST(VehicleCheck, RefusesABatteryThatCannotFeedTheMotor) {
+  EXPECT_THAT(refusal([](Vehicle& v) { v.battery.resistance_ohm = 1.0; }),
+              AllOf(HasSubstr("battery.resistance_ohm: '1'"), HasSubstr("gives at most 0.6 kW"),
+                    HasSubstr("draw up to 4.5 kW")));
+}
+
+}  // namespace
+}  // namespace headland
