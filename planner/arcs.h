@@ -1,0 +1,45 @@
+// Poses of the vehicle and the arcs that join them: what turns and routes are made of.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "planner/path.h"
+
+namespace headland {
+
+// Rear-axle centre p_W [m] and direction of the body's x axis.
+struct Pose {
+  Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
+  double heading_rad = 0.0;
+};
+
+// A piece of constant curvature (0: a line), driven in one gear. Curvature as in PathPoint:
+// positive with the wheels to the left, so that in reverse a positive one turns the body
+// clockwise.
+struct Arc {
+  double length_m = 0.0;
+  double curvature_per_m = 0.0;
+  Gear gear = Gear::kForward;
+};
+
+// The angle in [-pi, pi).
+double wrap_angle(double angle_rad);
+
+Eigen::Vector2d direction_of(double heading_rad);  // unit vector along the heading
+Eigen::Vector2d left_of(double heading_rad);       // unit vector to its left
+
+// The pose after `distance_m` of the arc.
+Pose pose_along(const Pose& from, const Arc& arc, double distance_m);
+Pose end_of(const Pose& from, const std::vector<Arc>& arcs);
+
+double length_m(const std::vector<Arc>& arcs);
+double reverse_length_m(const std::vector<Arc>& arcs);
+int cusp_count(const std::vector<Arc>& arcs);  // changes of gear
+
+// Points at most `spacing_m` apart, evenly within each arc; one segment per gear, all of one
+// kind and manoeuvre 0, joined at their ends. At a joint of two arcs the curvature is that of the
+// arc that begins there. Empty for no length.
+std::vector<PathSegment> sample(const Pose& from, const std::vector<Arc>& arcs, double spacing_m);
+
+}  // namespace headland

@@ -1,0 +1,42 @@
+// Joins two poses in a field by the cheapest curve that fits.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "planner/arcs.h"
+#include "planner/free_space.h"
+
+namespace headland {
+
+// Whether the hull fits all along the arcs, looked at every kPathSpacing_m.
+bool fits_along(const FreeSpace& space, const Pose& from, const std::vector<Arc>& arcs,
+                double clearance_m);
+
+// The deepest overrun along the arcs or points.
+Overrun worst_overrun(const FreeSpace& space, const Pose& from, const std::vector<Arc>& arcs);
+Overrun worst_overrun(const FreeSpace& space, const std::vector<PathPoint>& points);
+
+struct ConnectionOptions {
+  double radius_m = 0.0;
+  double clearance_m = 0.0;
+};
+
+// The cheapest turn that fits, else a route by hybrid A* that expands at most `node_budget` nodes
+// and takes them off it. None when neither is found. Where the ends themselves keep less than the
+// clearance, the connection need not keep more.
+std::optional<std::vector<Arc>> connect(const FreeSpace& space, const Pose& from, const Pose& to,
+                                        const ConnectionOptions& options, int& node_budget);
+
+// The turn that overruns least for its cost (kOverrunMetreCost); always one.
+std::vector<Arc> connect_overrunning(const FreeSpace& space, const Pose& from, const Pose& to,
+                                     double radius_m);
+
+// What a metre of overrun is weighed like, in metres driven.
+inline constexpr double kOverrunMetreCost = 10.0;
+
+// How far [m] the hull swings out along `outward` beyond p_W in the turn that needs least.
+double least_depth_m(const FreeSpace& space, const Pose& from, const Pose& to, double radius_m,
+                     const Eigen::Vector2d& p_W, const Eigen::Vector2d& outward);
+
+}  // namespace headland

@@ -1,0 +1,86 @@
+// Where a vehicle's hull may be: inside the boundary, outside holes, clear of obstacles.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "planner/arcs.h"
+#include "terrains/field.h"
+#include "vehicle_models/vehicle.h"
+
+namespace headland {
+
+// Seen from above, from the rear-axle centre: a box for the chassis, and the raised implement as
+// a bar across, which may hang over boundary and holes but not through obstacles.
+struct Hull {
+  double front_m = 0.0;  // reach ahead of the rear axle
+  double rear_m = 0.0;   // reach behind it
+  double half_width_m = 0.0;
+  double bar_x_m = 0.0;
+  double bar_half_width_m = 0.0;
+};
+
+Hull hull_of(const Vehicle& vehicle);
+// Distance [m] from the rear-axle centre to the hull's furthest corner.
+double reach_m(const Hull& hull);
+
+enum class Limit { kNone, kBoundary, kHole, kObstacle };
+
+// Edges and obstacles of a field in a grid of square cells, made once by free_space(). Each cell
+// lists what touches it and has the distance from its centre to the nearest of all.
+struct FreeSpace {
+  struct Edge {
+    Eigen::Vector2d a_W;
+    Eigen::Vector2d b_W;
+    Limit limit = Limit::kBoundary;
+  };
+  struct Cell {
+    float edge_distance_m = 0.0F;  // negative outside the field or in a hole
+    float obstacle_distance_m = 0.0F;
+    std::vector<int> edges;
+    std::vector<int> obstacles;
+  };
+  Hull hull;
+  std::vector<Edge> edges;
+  std::vector<Obstacle> obstacles;
+  Eigen::Vector2d origin_W = Eigen::Vector2d::Zero();
+  double cell_m = 1.0;
+  int columns = 0;
+  int rows = 0;
+  std::vector<Cell> cells;  // row by row
+};
+
+FreeSpace free_space(const Field& field, const Hull& hull);
+
+// Whether the hull keeps `clearance_m` (>= 0) from everything at this pose. Under 1 us.
+bool fits(const FreeSpace& space, const Pose& pose, double clearance_m);
+
+// Whether a disc does, without the implement.
+bool disc_fits(const FreeSpace& space, const Eigen::Vector2d& p_W, double radius_m);
+
+// A lower bound [m] on the way the hull can move from here, in any direction, and still fit with
+// no clearance. Negative or small near limits whether it fits or not.
+double safe_distance_m(const FreeSpace& space, const Pose& pose);
+
+// How far [m] the hull protrudes at this pose, 0 when it fits: the depth of its corners beyond the
+// limits, or of the limits inside the hull where no corner is beyond. With the deepest place.
+struct Overrun {
+  double depth_m = 0.0;
+  Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
+  Limit limit = Limit::kNone;
+};
+Overrun overrun(const FreeSpace& space, const Pose& pose);
+
+// How far [m] the chassis reaches from the rear-axle centre along a unit vector of W.
+double reach_along_m(const Hull& hull, double heading_rad, const Eigen::Vector2d& along_W);
+
+// The first boundary or hole edge that a ray from p_W meets: how far away, and its unit normal
+// pointing out of the field. Distance is the largest double where it meets none.
+struct EdgeAhead {
+  double distance_m = 0.0;
+  Eigen::Vector2d outward = Eigen::Vector2d::Zero();
+};
+EdgeAhead edge_ahead(const FreeSpace& space, const Eigen::Vector2d& p_W, double heading_rad);
+
+}  // namespace headland

@@ -1,0 +1,265 @@
+#include "planner/hybrid_a_star.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <queue>
+#include <unordered_map>
+
+#include "planner/connection.h"
+#include "planner/turns.h"
+
+namespace headland {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int kHeadings = 72;  // bins of 5 degrees
+// Each step turns by three bins, so headings stay on the bins and a step leaves its cell.
+constexpr double kStepAngle_rad = 3.0 * 2.0 * std::numbers::pi / kHeadings;
+constexpr double kCellsPerStep = 2.0;
+// Straightens the route: what changing the steering costs, in turning radii.
+constexpr double kSteeringChangeCost = 0.1;
+// Reeds-Shepp lengths only tell more than the grid near the goal; within so many radii.
+constexpr double kNearGoal = 8.0;
+// A closing curve is tried at every node near the goal and at every so-manieth elsewhere.
+constexpr int kTryEvery = 20;
+constexpr double kGuideCellsAlong = 256.0;
+constexpr double kMinGuideCell_m = 0.5;
+
+// Shortest ways to the goal over square cells, for a disc of the hull's half width.
+struct Guide {
+  Vector2d origin_W;
+  double cell_m = 1.0;
+  int columns = 0;
+  int rows = 0;
+  std::vector<double> distance_m;  // to the goal; max where there is no way
+
+  int index(const Vector2d& p_W) const {
+    const Vector2d cell = (p_W - origin_W) / cell_m;
+    const int column = std::clamp(static_cast<int>(std::floor(cell.x())), 0, columns - 1);
+    const int row = std::clamp(static_cast<int>(std::floor(cell.y())), 0, rows - 1);
+    return row * columns + column;
+  }
+};
+
+struct Reached {
+  double cost;
+  int index;
+  bool operator>(const Reached& other) const {
+    return cost != other.cost ? cost > other.cost : index > other.index;
+  }
+};
+using Queue = std::priority_queue<Reached, std::vector<Reached>, std::greater<>>;
+
+Guide guide_to(const FreeSpace& space, const Pose& from, const Pose& to) {
+  Guide guide;
+  guide.origin_W = space.origin_W;
+  const Vector2d size = space.cell_m * Vector2d(space.columns, space.rows);
+  guide.cell_m = std::max(kMinGuideCell_m, size.maxCoeff() / kGuideCellsAlong);
+  guide.columns = static_cast<int>(size.x() / guide.cell_m) + 1;
+  guide.rows = static_cast<int>(size.y() / guide.cell_m) + 1;
+  const int count = guide.columns * guide.rows;
+  std::vector<char> free(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    const Vector2d centre =
+        guide.origin_W + guide.cell_m * Vector2d(i % guide.columns + 0.5, i / guide.columns + 0.5);
+    free[static_cast<std::size_t>(i)] = disc_fits(space, centre, space.hull.half_width_m) ? 1 : 0;
+  }
+  free[static_cast<std::size_t>(guide.index(from.p_W))] = 1;
+  guide.distance_m.assign(static_cast<std::size_t>(count), std::numeric_limits<double>::max());
+  const int goal = guide.index(to.p_W);
+  guide.distance_m[static_cast<std::size_t>(goal)] = 0.0;
+  Queue open;
+  open.push({0.0, goal});
+  while (!open.empty()) {
+    const Reached reached = open.top();
+    open.pop();
+    if (reached.cost > guide.distance_m[static_cast<std::size_t>(reached.index)]) continue;
+    const int column = reached.index % guide.columns;
+    const int row = reached.index / guide.columns;
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const int c = column + dx;
+        const int r = row + dy;
+        if (c < 0 || r < 0 || c >= guide.columns || r >= guide.rows) continue;
+        const auto next = static_cast<std::size_t>(r * guide.columns + c);
+        const double cost = reached.cost + guide.cell_m * std::hypot(dx, dy);
+        if (free[next] == 0 || cost >= guide.distance_m[next]) continue;
+        guide.distance_m[next] = cost;
+        open.push({cost, static_cast<int>(next)});
+      }
+    }
+  }
+  return guide;
+}
+
+struct Node {
+  Pose pose;
+  Arc arrival;  // the step that led here
+  int parent = -1;
+  double cost_m = 0.0;
+  bool closed = false;
+};
+
+struct Search {
+  const FreeSpace& space;
+  const Pose& to;
+  const RouteOptions& options;
+  Guide guide;
+  double step_m;
+  std::vector<Node> nodes;
+  std::unordered_map<std::uint64_t, int> at_cell;
+  Queue open;
+};
+
+std::uint64_t key_of(const Search& search, const Node& node) {
+  const Vector2d cell = (node.pose.p_W - search.guide.origin_W) / search.step_m * kCellsPerStep;
+  const double turn = wrap_angle(node.pose.heading_rad) / (2.0 * std::numbers::pi);
+  const int heading = static_cast<int>(std::lround((turn + 1.0) * kHeadings)) % kHeadings;
+  const auto column = static_cast<std::uint32_t>(static_cast<int>(std::floor(cell.x())) + 0x8000);
+  const auto row = static_cast<std::uint32_t>(static_cast<int>(std::floor(cell.y())) + 0x8000);
+  const std::uint64_t gear = node.arrival.gear == Gear::kForward ? 0 : 1;
+  return (static_cast<std::uint64_t>(column) << 40U) | (static_cast<std::uint64_t>(row) << 16U) |
+         (static_cast<std::uint64_t>(heading) << 1U) | gear;
+}
+
+double to_go_m(const Search& search, const Pose& pose) {
+  const double around_m =
+      search.guide.distance_m[static_cast<std::size_t>(search.guide.index(pose.p_W))];
+  if (around_m > kNearGoal * search.options.radius_m) return around_m;
+  return std::max(around_m, reeds_shepp_length_m(pose, search.to, search.options.radius_m));
+}
+
+void reach(Search& search, Node node) {
+  const double to_go = to_go_m(search, node.pose);
+  if (to_go == std::numeric_limits<double>::max()) return;
+  const double total_m = node.cost_m + to_go;
+  const auto [entry, is_new] = search.at_cell.try_emplace(key_of(search, node), 0);
+  if (!is_new) {
+    const Node& known = search.nodes[static_cast<std::size_t>(entry->second)];
+    if (known.closed || known.cost_m <= node.cost_m) return;
+  }
+  entry->second = static_cast<int>(search.nodes.size());
+  search.nodes.push_back(node);
+  search.open.push({total_m, entry->second});
+}
+
+void expand(Search& search, int index) {
+  const Node node = search.nodes[static_cast<std::size_t>(index)];
+  const double curvature = 1.0 / search.options.radius_m;
+  for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
+    for (const double bend : {0.0, curvature, -curvature}) {
+      Node next;
+      next.arrival = {search.step_m, bend, gear};
+      next.pose = pose_along(node.pose, next.arrival, search.step_m);
+      next.parent = index;
+      next.cost_m = node.cost_m + cost_m(std::vector<Arc>{next.arrival});
+      if (node.parent >= 0) {
+        if (gear != node.arrival.gear) next.cost_m += kCuspCost_m;
+        if (bend != node.arrival.curvature_per_m) {
+          next.cost_m += kSteeringChangeCost * search.options.radius_m;
+        }
+      }
+      if (!fits_along(search.space, node.pose, {next.arrival}, search.options.clearance_m)) {
+        continue;
+      }
+      reach(search, next);
+    }
+  }
+}
+
+std::vector<Arc> arcs_to(const Search& search, int index) {
+  std::vector<Arc> arcs;
+  for (int i = index; search.nodes[static_cast<std::size_t>(i)].parent >= 0;) {
+    const Node& node = search.nodes[static_cast<std::size_t>(i)];
+    arcs.push_back(node.arrival);
+    i = node.parent;
+  }
+  std::reverse(arcs.begin(), arcs.end());
+  return arcs;
+}
+
+// Replaces stretches by closed-form turns that fit and cost less: from each pose to the furthest,
+// then half as far, and so on.
+std::vector<Arc> shortened(const FreeSpace& space, const Pose& from, const std::vector<Arc>& arcs,
+                           const RouteOptions& options) {
+  std::vector<Arc> result;
+  Pose pose = from;
+  for (std::size_t i = 0; i < arcs.size();) {
+    std::size_t taken = 1;
+    std::vector<Arc> piece = {arcs[i]};
+    for (std::size_t count = arcs.size() - i; count >= 2; count /= 2) {
+      const auto begin = arcs.begin() + static_cast<std::ptrdiff_t>(i);
+      const std::vector<Arc> old(begin, begin + static_cast<std::ptrdiff_t>(count));
+      const auto all = turns(pose, end_of(pose, old), options.radius_m);
+      if (all.empty() || all.front().cost_m >= cost_m(old)) continue;
+      if (!fits_along(space, pose, all.front().arcs, options.clearance_m)) continue;
+      piece = all.front().arcs;
+      taken = count;
+      break;
+    }
+    result.insert(result.end(), piece.begin(), piece.end());
+    pose = end_of(pose, piece);
+    i += taken;
+  }
+  return result;
+}
+
+// Neighbouring arcs of the same bend and gear become one.
+std::vector<Arc> merged(const std::vector<Arc>& arcs) {
+  std::vector<Arc> result;
+  for (const Arc& arc : arcs) {
+    if (!result.empty() && result.back().gear == arc.gear &&
+        result.back().curvature_per_m == arc.curvature_per_m) {
+      result.back().length_m += arc.length_m;
+    } else {
+      result.push_back(arc);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<std::vector<Arc>> find_route(const FreeSpace& space, const Pose& from, const Pose& to,
+                                           const RouteOptions& options, int* expanded) {
+  Search search{space, to, options, guide_to(space, from, to), options.radius_m * kStepAngle_rad,
+                {},    {}, {}};
+  reach(search, {from, {}, -1, 0.0, false});
+  std::vector<Arc> best;
+  double best_m = std::numeric_limits<double>::max();
+  int count = 0;
+  while (!search.open.empty() && count < options.max_nodes) {
+    const Reached reached = search.open.top();
+    search.open.pop();
+    if (reached.cost >= best_m) break;
+    Node& node = search.nodes[static_cast<std::size_t>(reached.index)];
+    if (node.closed || search.at_cell[key_of(search, node)] != reached.index) continue;
+    node.closed = true;
+    ++count;
+    const bool near = reached.cost - node.cost_m < kNearGoal * options.radius_m;
+    if (near || count % kTryEvery == 1) {
+      const auto closing = reeds_shepp(node.pose, to, options.radius_m);
+      if (closing && node.cost_m + closing->cost_m < best_m &&
+          fits_along(space, node.pose, closing->arcs, options.clearance_m)) {
+        best_m = node.cost_m + closing->cost_m;
+        best = arcs_to(search, reached.index);
+        best.insert(best.end(), closing->arcs.begin(), closing->arcs.end());
+      }
+    }
+    expand(search, reached.index);
+  }
+  if (expanded != nullptr) *expanded = count;
+  if (best.empty()) return std::nullopt;
+  for (std::size_t before = best.size() + 1; best.size() < before;) {
+    before = best.size();
+    best = merged(shortened(space, from, best, options));
+  }
+  return best;
+}
+
+}  // namespace headland

@@ -1,0 +1,27 @@
+// A route around what is in the way, for a vehicle with a turning radius and two gears.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "planner/arcs.h"
+#include "planner/free_space.h"
+
+namespace headland {
+
+struct RouteOptions {
+  double radius_m = 0.0;
+  double clearance_m = 0.0;
+  int max_nodes = 20000;  // nodes expanded before giving up
+};
+
+// Hybrid A* (Dolgov, Thrun, Montemerlo and Diebel 2010): a search over position, heading and gear
+// whose steps are arcs, guided by the longer of the Reeds-Shepp length and a grid's shortest way
+// around the limits, closed by a Reeds-Shepp curve as soon as one fits, then shortened where a
+// closed-form turn saves something. Deviation: the grid guides with a disc of the hull's half
+// width. None when there is no way or `max_nodes` were not enough. `expanded` (may be null) counts
+// the nodes.
+std::optional<std::vector<Arc>> find_route(const FreeSpace& space, const Pose& from, const Pose& to,
+                                           const RouteOptions& options, int* expanded);
+
+}  // namespace headland

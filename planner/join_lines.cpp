@@ -1,0 +1,273 @@
+#include "planner/join_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "planner/connection.h"
+#include "planner/turns.h"
+
+namespace headland {
+namespace {
+
+// Nodes that all routes of one path may take together: bounds the time of hopeless fields.
+constexpr int kNodeBudget = 400000;
+// A pass that protrudes less than this is taken as fitting: planners lay passes along limits.
+constexpr double kPassTolerance_m = 0.01;
+// The entry is usually a gate in the boundary; the path begins where the hull fits near it.
+constexpr double kMaxEntryShift_m = 25.0;
+constexpr double kEntryRing_m = 0.5;
+constexpr int kEntryHeadings = 24;
+constexpr int kEntryPlaces = 16;  // on each ring
+// Headland widths are named in steps of this.
+constexpr double kWidthStep_m = 0.1;
+
+Pose pose_of(const PathPoint& point) { return {point.p_W, point.heading_rad}; }
+
+std::string place_name(const Field& field, const Eigen::Vector2d& p_W) {
+  std::string place = fmt::format("({:.1f}, {:.1f}) m", p_W.x(), p_W.y());
+  if (field.frame.georeferenced) {
+    const Eigen::Vector2d lon_lat = wgs84_from_local(field.frame, {p_W}).front();
+    place += fmt::format(" [lon {:.6f}, lat {:.6f}]", lon_lat.x(), lon_lat.y());
+  }
+  return place;
+}
+
+std::string_view limit_name(Limit limit) {
+  switch (limit) {
+    case Limit::kBoundary:
+      return "beyond the boundary";
+    case Limit::kHole:
+      return "inside a hole";
+    case Limit::kObstacle:
+      return "into an obstacle";
+    case Limit::kNone:
+      break;
+  }
+  return "";
+}
+
+std::string line_name(const std::vector<WorkLine>& lines, std::size_t index) {
+  const bool swath = lines[index].kind == PathKind::kSwath;
+  return fmt::format("pass {} ({})", index + 1, swath ? "swath" : "headland pass");
+}
+
+struct Joining {
+  const Field& field;
+  const Vehicle& vehicle;
+  const std::vector<WorkLine>& lines;
+  const PathOptions& options;
+  FreeSpace space;
+  double radius_m;
+  int node_budget = kNodeBudget;
+  int manoeuvre = 0;
+  Path path;
+};
+
+Eigen::Vector2d implement_at(const Joining& joining, const PathPoint& axle) {
+  return axle.p_W + joining.space.hull.bar_x_m * direction_of(axle.heading_rad);
+}
+
+void record(Joining& joining, const Overrun& worst, std::string_view what) {
+  joining.path.violations.push_back({worst.p_W, joining.manoeuvre, worst.depth_m,
+                                     fmt::format("{}: the hull reaches {:.2f} m {}", what,
+                                                 worst.depth_m, limit_name(worst.limit))});
+}
+
+// Why nothing fits between two lines, and what would help.
+[[noreturn]] void refuse_connection(const Joining& joining, std::size_t next) {
+  const PathPoint& from = joining.lines[next - 1].points.back();
+  const PathPoint& to = joining.lines[next].points.front();
+  const Eigen::Vector2d end_W = implement_at(joining, from);
+  const std::string what =
+      fmt::format("no turn from {} to {} fits at {}", line_name(joining.lines, next - 1),
+                  line_name(joining.lines, next), place_name(joining.field, end_W));
+  const EdgeAhead ahead = edge_ahead(joining.space, end_W, from.heading_rad);
+  const double there_m = ahead.distance_m * ahead.outward.dot(direction_of(from.heading_rad));
+  const double depth_m = least_depth_m(joining.space, pose_of(from), pose_of(to), joining.radius_m,
+                                       end_W, ahead.outward) +
+                         joining.options.clearance_m;
+  if (depth_m > there_m) {
+    const double would_do_m = std::ceil(depth_m / kWidthStep_m) * kWidthStep_m;
+    throw PlanInfeasible(
+        fmt::format("{}: it needs a headland of {:.1f} m and there are {:.1f} m; widen the "
+                    "headland, turn tighter or allow overruns",
+                    what, would_do_m, there_m));
+  }
+  throw PlanInfeasible(fmt::format(
+      "{}: the way is blocked though the headland of {:.1f} m is deep enough; move the passes, "
+      "remove what is in the way or allow overruns",
+      what, there_m));
+}
+
+PathKind connection_kind(const Joining& joining, const Pose& from, const Pose& to,
+                         const std::vector<Arc>& arcs) {
+  const double turn_like_m = 2.0 * std::numbers::pi * joining.radius_m +
+                             kTransitWidths * joining.vehicle.implement.working_width_m;
+  if (length_m(arcs) > turn_like_m) return PathKind::kTransit;
+  const double turned_rad = std::abs(wrap_angle(to.heading_rad - from.heading_rad));
+  return turned_rad >= kUTurnAngle_rad ? PathKind::kUTurn : PathKind::kTurn;
+}
+
+// The sampled end is replaced by the pose meant, which it meets to within rounding.
+void append_arcs(Joining& joining, const Pose& from, const std::vector<Arc>& arcs,
+                 const PathPoint& to, PathKind kind) {
+  auto segments = sample(from, arcs, kPathSpacing_m);
+  if (segments.empty()) return;
+  PathPoint& end = segments.back().points.back();
+  end.p_W = to.p_W;
+  end.heading_rad = to.heading_rad;
+  for (PathSegment& segment : segments) {
+    segment.kind = kind;
+    segment.manoeuvre = joining.manoeuvre;
+    joining.path.segments.push_back(std::move(segment));
+  }
+  ++joining.manoeuvre;
+}
+
+void append_connection(Joining& joining, std::size_t next) {
+  const PathPoint& from = joining.lines[next - 1].points.back();
+  const PathPoint& to = joining.lines[next].points.front();
+  const ConnectionOptions options{joining.radius_m, joining.options.clearance_m};
+  auto arcs = connect(joining.space, pose_of(from), pose_of(to), options, joining.node_budget);
+  if (!arcs) {
+    if (!joining.options.allow_overrun) refuse_connection(joining, next);
+    arcs = connect_overrunning(joining.space, pose_of(from), pose_of(to), joining.radius_m);
+    const Overrun worst = worst_overrun(joining.space, pose_of(from), *arcs);
+    if (worst.depth_m > 0.0) {
+      record(joining, worst,
+             fmt::format("turn from {} to {}", line_name(joining.lines, next - 1),
+                         line_name(joining.lines, next)));
+    }
+  }
+  append_arcs(joining, pose_of(from), *arcs, to,
+              connection_kind(joining, pose_of(from), pose_of(to), *arcs));
+}
+
+void check_curvature(Joining& joining, std::size_t index) {
+  const double limit_per_m = (1.0 + kCurvatureTolerance) / min_turning_radius_m(joining.vehicle);
+  const std::vector<PathPoint>& points = joining.lines[index].points;
+  const auto tightest =
+      std::max_element(points.begin(), points.end(), [](const PathPoint& a, const PathPoint& b) {
+        return std::abs(a.curvature_per_m) < std::abs(b.curvature_per_m);
+      });
+  const double curvature = std::abs(tightest->curvature_per_m);
+  if (curvature <= limit_per_m) return;
+  const double radius_m = 1.0 / curvature;
+  const double least_m = min_turning_radius_m(joining.vehicle);
+  const std::string what = fmt::format(
+      "{} bends with a radius of {:.2f} m at {}, the vehicle's least is {:.2f} m",
+      line_name(joining.lines, index), radius_m, place_name(joining.field, tightest->p_W), least_m);
+  if (!joining.options.allow_overrun) throw PlanInfeasible(what);
+  joining.path.violations.push_back({tightest->p_W, joining.manoeuvre, least_m - radius_m, what});
+}
+
+void append_line(Joining& joining, std::size_t index) {
+  const WorkLine& line = joining.lines[index];
+  const Overrun worst = worst_overrun(joining.space, line.points);
+  if (worst.depth_m > kPassTolerance_m) {
+    if (!joining.options.allow_overrun) {
+      // Too little room at the end of a swath is a matter of the headland.
+      const double to_end_m = (worst.p_W - line.points.back().p_W).norm();
+      if (to_end_m <= reach_m(joining.space.hull) && index + 1 < joining.lines.size()) {
+        refuse_connection(joining, index + 1);
+      }
+      throw PlanInfeasible(
+          fmt::format("{} takes the hull {:.2f} m {} at {}; keep passes further inside or allow "
+                      "overruns",
+                      line_name(joining.lines, index), worst.depth_m, limit_name(worst.limit),
+                      place_name(joining.field, worst.p_W)));
+    }
+    record(joining, worst, line_name(joining.lines, index));
+  }
+  check_curvature(joining, index);
+  joining.path.segments.push_back(
+      {line.kind, Gear::kForward, true, joining.manoeuvre, line.points});
+  ++joining.manoeuvre;
+}
+
+// Poses nearest to the entry where the hull fits, all on the same ring about it.
+std::vector<Pose> entry_poses(const Joining& joining, const Eigen::Vector2d& entry_W) {
+  std::vector<Pose> poses;
+  for (double ring_m = 0.0; ring_m <= kMaxEntryShift_m && poses.empty(); ring_m += kEntryRing_m) {
+    const int places = ring_m == 0.0 ? 1 : kEntryPlaces;
+    for (int place = 0; place < places; ++place) {
+      const Eigen::Vector2d p_W =
+          entry_W + ring_m * direction_of(2.0 * std::numbers::pi * place / places);
+      for (int i = 0; i < kEntryHeadings; ++i) {
+        const Pose pose{p_W, wrap_angle(2.0 * std::numbers::pi * i / kEntryHeadings)};
+        if (fits(joining.space, pose, joining.options.clearance_m)) poses.push_back(pose);
+      }
+    }
+  }
+  return poses;
+}
+
+// The way from the entry to the first line, from the heading that makes it cheapest.
+void append_entry(Joining& joining, const Eigen::Vector2d& entry_W) {
+  const PathPoint& to = joining.lines.front().points.front();
+  const std::vector<Pose> poses = entry_poses(joining, entry_W);
+  struct Choice {
+    Pose from;
+    Turn turn;
+  };
+  std::vector<Choice> choices;
+  for (const Pose& from : poses) {
+    for (Turn& turn : turns(from, pose_of(to), joining.radius_m)) {
+      choices.push_back({from, std::move(turn)});
+    }
+  }
+  std::stable_sort(choices.begin(), choices.end(),
+                   [](const Choice& a, const Choice& b) { return a.turn.cost_m < b.turn.cost_m; });
+  for (const Choice& choice : choices) {
+    if (!fits_along(joining.space, choice.from, choice.turn.arcs, joining.options.clearance_m)) {
+      continue;
+    }
+    append_arcs(joining, choice.from, choice.turn.arcs, to, PathKind::kTransit);
+    return;
+  }
+  const ConnectionOptions options{joining.radius_m, joining.options.clearance_m};
+  for (const Choice& choice : choices) {
+    const auto arcs =
+        connect(joining.space, choice.from, pose_of(to), options, joining.node_budget);
+    if (!arcs) break;  // what blocks one heading blocks the others: go on without searching again
+    append_arcs(joining, choice.from, *arcs, to, PathKind::kTransit);
+    return;
+  }
+  if (!joining.options.allow_overrun) {
+    throw PlanInfeasible(fmt::format(
+        "no way from the entry at {} to {} at {} fits the hull", place_name(joining.field, entry_W),
+        line_name(joining.lines, 0), place_name(joining.field, to.p_W)));
+  }
+  const Pose from = choices.empty() ? Pose{entry_W, to.heading_rad} : choices.front().from;
+  const auto arcs = connect_overrunning(joining.space, from, pose_of(to), joining.radius_m);
+  record(joining, worst_overrun(joining.space, from, arcs), "way from the entry");
+  append_arcs(joining, from, arcs, to, PathKind::kTransit);
+}
+
+}  // namespace
+
+Path join_lines(const Field& field, const Vehicle& vehicle, const std::vector<WorkLine>& lines,
+                const PathOptions& options) {
+  Joining joining{field,
+                  vehicle,
+                  lines,
+                  options,
+                  free_space(field, hull_of(vehicle)),
+                  planning_turning_radius_m(vehicle),
+                  kNodeBudget,
+                  0,
+                  {}};
+  if (field.entry_W) append_entry(joining, *field.entry_W);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i > 0) append_connection(joining, i);
+    append_line(joining, i);
+  }
+  return std::move(joining.path);
+}
+
+}  // namespace headland

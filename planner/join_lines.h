@@ -1,0 +1,26 @@
+// Joins work lines in their order into one path inside the field.
+#pragma once
+
+#include <vector>
+
+#include "planner/drivable_path.h"
+#include "planner/work_line.h"
+
+namespace headland {
+
+// How a connection is named: opposite neighbours whose headings differ by this much are joined by
+// a U-turn,
+inline constexpr double kUTurnAngle_rad = 2.356;  // 135 degrees
+// and what is longer than 2 pi R + kTransitWidths working widths is a transit, whatever its shape.
+inline constexpr double kTransitWidths = 4.0;
+
+// Curvature estimated on passes may exceed the vehicle's by this fraction: it is a difference
+// quotient on a smoothed line.
+inline constexpr double kCurvatureTolerance = 0.02;
+
+// At least one line. The implement is down on the lines and up between them. Throws
+// PlanInfeasible as make_path does.
+Path join_lines(const Field& field, const Vehicle& vehicle, const std::vector<WorkLine>& lines,
+                const PathOptions& options);
+
+}  // namespace headland

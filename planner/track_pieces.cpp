@@ -1,0 +1,182 @@
+#include "planner/track_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace headland {
+namespace {
+
+using Eigen::Vector2d;
+using Points = std::vector<Vector2d>;
+
+// Corners flatter than this are within any receiver's noise and need no arc to be driven.
+constexpr double kFlat_rad = 1e-6;
+
+double distance_to_segment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
+  const Vector2d along = b - a;
+  const double t = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (p - a - t * along).norm();
+}
+
+// Keeps the points of [first, last] that the line needs to stay within the tolerance.
+void keep_needed(const Points& points, std::size_t first, std::size_t last, double tolerance_m,
+                 std::vector<char>& kept) {
+  std::vector<std::pair<std::size_t, std::size_t>> stretches = {{first, last}};
+  while (!stretches.empty()) {
+    const auto [a, b] = stretches.back();
+    stretches.pop_back();
+    double furthest_m = tolerance_m;
+    std::size_t furthest = a;
+    for (std::size_t i = a + 1; i < b; ++i) {
+      // A stretch that comes back to where it began has no direction to measure from.
+      const double distance_m = (points[b] - points[a]).norm() > 0.0
+                                    ? distance_to_segment(points[i], points[a], points[b])
+                                    : (points[i] - points[a]).norm();
+      if (distance_m > furthest_m) {
+        furthest_m = distance_m;
+        furthest = i;
+      }
+    }
+    if (furthest == a) continue;
+    kept[furthest] = 1;
+    stretches.emplace_back(a, furthest);
+    stretches.emplace_back(furthest, b);
+  }
+}
+
+Points simplified(const Points& points, double tolerance_m) {
+  std::vector<char> kept(points.size(), 0);
+  kept.front() = 1;
+  kept.back() = 1;
+  keep_needed(points, 0, points.size() - 1, tolerance_m, kept);
+  Points result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (kept[i] != 0) result.push_back(points[i]);
+  }
+  return result;
+}
+
+double heading_of(const Vector2d& along) { return std::atan2(along.y(), along.x()); }
+
+struct Corner {
+  double angle_rad = 0.0;  // signed, positive to the left
+  double half_tan = 0.0;
+  double radius_m = 0.0;  // of the arc that rounds it
+};
+
+// One entry per point; the first and last are no corners. An edge is shared by the arcs at its
+// ends in proportion to what arcs of equal radius would take of it.
+std::vector<Corner> corners_of(const Points& line, double deviation_m) {
+  std::vector<Corner> corners(line.size());
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    Corner& corner = corners[i];
+    corner.angle_rad =
+        wrap_angle(heading_of(line[i + 1] - line[i]) - heading_of(line[i] - line[i - 1]));
+    corner.half_tan = std::tan(0.5 * std::abs(corner.angle_rad));
+  }
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    Corner& corner = corners[i];
+    if (std::abs(corner.angle_rad) < kFlat_rad) {
+      corner.radius_m = std::numeric_limits<double>::max();
+      continue;
+    }
+    const double before = corner.half_tan + corners[i - 1].half_tan;
+    const double after = corner.half_tan + corners[i + 1].half_tan;
+    const double by_deviation_m =
+        deviation_m / (1.0 / std::cos(0.5 * std::abs(corner.angle_rad)) - 1.0);
+    corner.radius_m = std::min({by_deviation_m, (line[i] - line[i - 1]).norm() / before,
+                                (line[i + 1] - line[i]).norm() / after});
+  }
+  return corners;
+}
+
+TrackPiece rounded_piece(const Points& line, const std::vector<Corner>& corners) {
+  TrackPiece piece;
+  piece.start = {line.front(), heading_of(line[1] - line[0])};
+  double used_m = 0.0;  // of the edge, by the arc before it
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const bool rounded = i + 1 < line.size() && std::abs(corners[i].angle_rad) >= kFlat_rad;
+    const double taken_m = rounded ? corners[i].radius_m * corners[i].half_tan : 0.0;
+    const double straight_m = (line[i] - line[i - 1]).norm() - used_m - taken_m;
+    if (straight_m > 0.0) piece.arcs.push_back({straight_m, 0.0, Gear::kForward});
+    if (rounded) {
+      const double side = corners[i].angle_rad > 0.0 ? 1.0 : -1.0;
+      piece.arcs.push_back({corners[i].radius_m * std::abs(corners[i].angle_rad),
+                            side / corners[i].radius_m, Gear::kForward});
+    }
+    used_m = taken_m;
+  }
+  return piece;
+}
+
+double length_m(const Points& line) {
+  double sum_m = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) sum_m += (line[i] - line[i - 1]).norm();
+  return sum_m;
+}
+
+// Draws the line back by a length of its first or last edge, which must be longer.
+void draw_back(Vector2d& end, const Vector2d& neighbour, double by_m) {
+  end += by_m * (neighbour - end).normalized();
+}
+
+struct Cutting {
+  double tolerance_m;
+  double radius_m;
+  double ahead_m;
+  TrackPieces result;
+};
+
+void add_piece(Cutting& cutting, const Points& line) {
+  if (line.size() < 2 || length_m(line) < kMinPiece_m) {
+    cutting.result.dropped_W.push_back(line[line.size() / 2]);
+    return;
+  }
+  cutting.result.pieces.push_back(rounded_piece(line, corners_of(line, 0.5 * cutting.tolerance_m)));
+}
+
+// Cuts the line at its sharpest corner while there is one tighter than the vehicle.
+void cut(Cutting& cutting, Points line) {
+  while (line.size() > 2) {
+    const std::vector<Corner> corners = corners_of(line, 0.5 * cutting.tolerance_m);
+    std::size_t first = 1;
+    while (first + 1 < line.size() && corners[first].radius_m >= cutting.radius_m) ++first;
+    if (first + 1 == line.size()) break;
+    Points before(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(first) + 1);
+    Points after(line.begin() + static_cast<std::ptrdiff_t>(first), line.end());
+    ++cutting.result.cut_corners;
+    cutting.result.corners_W.push_back(line[first]);
+    const double tangent_m = cutting.radius_m * corners[first].half_tan;
+    const double back_m = std::max(0.0, tangent_m + cutting.ahead_m);
+    const double on_m = std::max(0.0, tangent_m - cutting.ahead_m);
+    if (std::abs(corners[first].angle_rad) <= kTrimmedAngle_rad &&
+        back_m < (line[first] - line[first - 1]).norm() &&
+        on_m < (line[first + 1] - line[first]).norm()) {
+      draw_back(before.back(), before[before.size() - 2], back_m);
+      draw_back(after.front(), after[1], on_m);
+    }
+    add_piece(cutting, before);
+    line = std::move(after);
+  }
+  add_piece(cutting, line);
+}
+
+}  // namespace
+
+TrackPieces track_pieces(const Track& track, double tolerance_m, double radius_m, double ahead_m) {
+  Cutting cutting{tolerance_m, radius_m, ahead_m, {}};
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k <= track.break_before.size(); ++k) {
+    const std::size_t end =
+        k < track.break_before.size() ? track.break_before[k] : track.points_W.size();
+    const Points stretch(track.points_W.begin() + static_cast<std::ptrdiff_t>(begin),
+                         track.points_W.begin() + static_cast<std::ptrdiff_t>(end));
+    begin = end;
+    if (stretch.empty()) continue;
+    cut(cutting, simplified(stretch, 0.5 * tolerance_m));
+  }
+  return std::move(cutting.result);
+}
+
+}  // namespace headland

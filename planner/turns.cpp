@@ -1,0 +1,214 @@
+#include "planner/turns.h"
+
+#include <ompl/base/spaces/ReedsSheppStateSpace.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+namespace headland {
+namespace {
+
+namespace ob = ompl::base;
+
+// A turn that misses its end by more than this is not a solution (rounding at degenerate poses).
+constexpr double kEndTolerance = 1e-6;  // m and rad
+// An arc this close to a whole circle is a zero arc spoilt by rounding; shorter pieces are dropped.
+constexpr double kZeroAngle_rad = 1e-9;
+constexpr double kZeroLength_m = 1e-9;
+// Swath ends further from level than this many radii are not levelled by a run-out.
+constexpr double kMaxLevelling = 6.0;
+
+using Gears = std::array<Gear, 3>;
+constexpr Gear F = Gear::kForward;
+constexpr Gear B = Gear::kReverse;
+constexpr std::array<Gears, 4> kGears = {{{F, F, F}, {F, B, F}, {B, F, F}, {F, F, B}}};
+
+double sign_of(Gear gear) { return gear == Gear::kForward ? 1.0 : -1.0; }
+
+char letter_of(double side) { return side > 0.0 ? 'L' : (side < 0.0 ? 'R' : 'S'); }
+
+std::string word_of(const std::vector<Arc>& arcs) {
+  std::string word;
+  for (const Arc& arc : arcs) {
+    word += letter_of(arc.curvature_per_m);
+    if (arc.gear == Gear::kReverse) word += '\'';
+  }
+  return word;
+}
+
+// The arc on `side` (+1 left) that turns the body from one heading to the other in `gear`.
+Arc turning_arc(double from_rad, double to_rad, double side, Gear gear, double radius_m) {
+  double angle_rad = side * sign_of(gear) * (to_rad - from_rad);
+  angle_rad -= 2.0 * std::numbers::pi * std::floor(angle_rad / (2.0 * std::numbers::pi));
+  if (angle_rad > 2.0 * std::numbers::pi - kZeroAngle_rad) angle_rad = 0.0;
+  return {angle_rad * radius_m, side / radius_m, gear};
+}
+
+std::optional<Turn> checked(const Pose& from, const Pose& to, std::vector<Arc> arcs) {
+  std::erase_if(arcs, [](const Arc& arc) { return arc.length_m < kZeroLength_m; });
+  const Pose end = end_of(from, arcs);
+  if (!((end.p_W - to.p_W).norm() < kEndTolerance) ||
+      !(std::abs(wrap_angle(end.heading_rad - to.heading_rad)) < kEndTolerance)) {
+    return std::nullopt;
+  }
+  Turn turn;
+  turn.word = word_of(arcs);
+  turn.cost_m = cost_m(arcs);
+  turn.arcs = std::move(arcs);
+  return turn;
+}
+
+Eigen::Vector2d circle_centre(const Pose& pose, double side, double radius_m) {
+  return pose.p_W + side * radius_m * left_of(pose.heading_rad);
+}
+
+double angle_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
+
+// Arc, line, arc: the line touches both circles, driven along its heading or against it.
+void add_with_line(const Pose& from, const Pose& to, double radius_m, const Gears& gears,
+                   std::vector<Turn>& found) {
+  for (const double side_a : {1.0, -1.0}) {
+    for (const double side_b : {1.0, -1.0}) {
+      const Eigen::Vector2d between =
+          circle_centre(to, side_b, radius_m) - circle_centre(from, side_a, radius_m);
+      const double across_m = (side_b - side_a) * radius_m;
+      const double squared_m2 = between.squaredNorm() - across_m * across_m;
+      if (squared_m2 < 0.0) continue;
+      const double line_m = std::sqrt(squared_m2);
+      const double heading_rad =
+          angle_of(between) - std::atan2(across_m, sign_of(gears[1]) * line_m);
+      auto turn = checked(from, to,
+                          {turning_arc(from.heading_rad, heading_rad, side_a, gears[0], radius_m),
+                           {line_m, 0.0, gears[1]},
+                           turning_arc(heading_rad, to.heading_rad, side_b, gears[2], radius_m)});
+      if (turn) found.push_back(std::move(*turn));
+    }
+  }
+}
+
+// Three arcs: the middle circle touches the outer ones, which lie on the same side.
+void add_with_circle(const Pose& from, const Pose& to, double radius_m, const Gears& gears,
+                     std::vector<Turn>& found) {
+  for (const double side : {1.0, -1.0}) {
+    const Eigen::Vector2d centre_a = circle_centre(from, side, radius_m);
+    const Eigen::Vector2d centre_b = circle_centre(to, side, radius_m);
+    const Eigen::Vector2d between = centre_b - centre_a;
+    const double distance_m = between.norm();
+    if (distance_m > 4.0 * radius_m || distance_m < kZeroLength_m) continue;
+    const double apex_rad = std::acos(distance_m / (4.0 * radius_m));
+    for (const double apex_side : {1.0, -1.0}) {
+      const Eigen::Vector2d middle =
+          centre_a + 2.0 * radius_m * direction_of(angle_of(between) + apex_side * apex_rad);
+      // On a circle to the left the heading is a quarter turn ahead of the spoke.
+      const double quarter_rad = side * std::numbers::pi / 2.0;
+      const double first_rad = angle_of(middle - centre_a) + quarter_rad;
+      const double second_rad = angle_of(middle - centre_b) + quarter_rad;
+      auto turn = checked(from, to,
+                          {turning_arc(from.heading_rad, first_rad, side, gears[0], radius_m),
+                           turning_arc(first_rad, second_rad, -side, gears[1], radius_m),
+                           turning_arc(second_rad, to.heading_rad, side, gears[2], radius_m)});
+      if (turn) found.push_back(std::move(*turn));
+    }
+  }
+}
+
+struct FreeState {
+  const ob::ReedsSheppStateSpace* space;
+  void operator()(ob::State* state) const { space->freeState(state); }
+};
+
+std::unique_ptr<ob::State, FreeState> state_of(const ob::ReedsSheppStateSpace& space,
+                                               const Pose& pose) {
+  std::unique_ptr<ob::State, FreeState> state(space.allocState(), FreeState{&space});
+  auto* se2 = state->as<ob::SE2StateSpace::StateType>();
+  se2->setXY(pose.p_W.x(), pose.p_W.y());
+  se2->setYaw(pose.heading_rad);
+  return state;
+}
+
+ob::ReedsSheppStateSpace::ReedsSheppPath reeds_shepp_path(const Pose& from, const Pose& to,
+                                                          double radius_m) {
+  const ob::ReedsSheppStateSpace space(radius_m);
+  return space.reedsShepp(state_of(space, from).get(), state_of(space, to).get());
+}
+
+void sort_by_cost(std::vector<Turn>& found) {
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Turn& a, const Turn& b) { return a.cost_m < b.cost_m; });
+}
+
+void keep_distinct(std::vector<Turn>& found) {
+  sort_by_cost(found);
+  const auto same = [](const Turn& a, const Turn& b) {
+    return a.word == b.word && std::abs(a.cost_m - b.cost_m) < kEndTolerance;
+  };
+  found.erase(std::unique(found.begin(), found.end(), same), found.end());
+}
+
+}  // namespace
+
+double cost_m(const std::vector<Arc>& arcs) {
+  return length_m(arcs) + (kReverseMetreCost - 1.0) * reverse_length_m(arcs) +
+         kCuspCost_m * cusp_count(arcs);
+}
+
+std::optional<Turn> reeds_shepp(const Pose& from, const Pose& to, double radius_m) {
+  const auto path = reeds_shepp_path(from, to, radius_m);
+  std::vector<Arc> arcs;
+  for (int i = 0; i < 5; ++i) {
+    if (path.type_[i] == ob::ReedsSheppStateSpace::RS_NOP) break;
+    double side = 0.0;
+    if (path.type_[i] == ob::ReedsSheppStateSpace::RS_LEFT) side = 1.0;
+    if (path.type_[i] == ob::ReedsSheppStateSpace::RS_RIGHT) side = -1.0;
+    const Gear gear = path.length_[i] < 0.0 ? Gear::kReverse : Gear::kForward;
+    arcs.push_back({std::abs(path.length_[i]) * radius_m, side / radius_m, gear});
+  }
+  return checked(from, to, std::move(arcs));
+}
+
+double reeds_shepp_length_m(const Pose& from, const Pose& to, double radius_m) {
+  return reeds_shepp_path(from, to, radius_m).length() * radius_m;
+}
+
+std::vector<Turn> turns(const Pose& from, const Pose& to, double radius_m) {
+  std::vector<Turn> found;
+  for (const Gears& gears : kGears) {
+    add_with_line(from, to, radius_m, gears, found);
+    add_with_circle(from, to, radius_m, gears, found);
+  }
+  if (auto turn = reeds_shepp(from, to, radius_m)) found.push_back(std::move(*turn));
+  keep_distinct(found);
+  return found;
+}
+
+std::vector<Turn> turns_with_run_outs(const Pose& from, const Pose& to, double radius_m) {
+  // Level with the other end, or some fraction of the radius beyond.
+  const double behind_m = direction_of(from.heading_rad).dot(to.p_W - from.p_W);
+  const double ahead_m = direction_of(to.heading_rad).dot(to.p_W - from.p_W);
+  const std::array<double, 5> before_m = {0.0, 0.5 * radius_m, radius_m, 2.0 * radius_m,
+                                          std::clamp(behind_m, 0.0, kMaxLevelling * radius_m)};
+  const std::array<double, 5> after_m = {0.0, 0.5 * radius_m, radius_m, 2.0 * radius_m,
+                                         std::clamp(ahead_m, 0.0, kMaxLevelling * radius_m)};
+  std::vector<Turn> found;
+  for (const double out_m : before_m) {
+    for (const double in_m : after_m) {
+      const Pose start = pose_along(from, {out_m, 0.0, F}, out_m);
+      const Pose finish = pose_along(to, {in_m, 0.0, B}, in_m);
+      for (const Turn& turn : turns(start, finish, radius_m)) {
+        std::vector<Arc> arcs = {{out_m, 0.0, F}};
+        arcs.insert(arcs.end(), turn.arcs.begin(), turn.arcs.end());
+        arcs.push_back({in_m, 0.0, F});
+        std::erase_if(arcs, [](const Arc& arc) { return arc.length_m < kZeroLength_m; });
+        found.push_back({turn.word, arcs, cost_m(arcs)});
+      }
+    }
+  }
+  keep_distinct(found);
+  return found;
+}
+
+}  // namespace headland

@@ -1,0 +1,42 @@
+// Turns from one pose to another with a given radius, in closed form.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planner/arcs.h"
+
+namespace headland {
+
+// What a metre in reverse and a change of gear cost, in metres driven forward: reversing is about
+// half as fast, and a cusp costs a stop, a gear change and turning the wheels at standstill.
+inline constexpr double kReverseMetreCost = 2.0;
+inline constexpr double kCuspCost_m = 5.0;
+
+// `word` names the curve: L, R, S for left, right, straight, with ' after what is reversed.
+// Between opposite neighbouring swaths LSL is the U turn, RLR and LRL the omega (bulb) turn and
+// LS'L the three-point (fishtail) turn.
+struct Turn {
+  std::string word;
+  std::vector<Arc> arcs;
+  double cost_m = 0.0;
+};
+
+double cost_m(const std::vector<Arc>& arcs);
+
+// Every turn of these families that exists, cheapest first, each ending within 1e-6 m and rad of
+// `to`: arc-line-arc and arc-arc-arc with the gears fff (all Dubins curves), frf, rff and ffr, and
+// the shortest curve of Reeds and Shepp (OMPL). Radius in metres, positive.
+std::vector<Turn> turns(const Pose& from, const Pose& to, double radius_m);
+
+// The shortest curve with both gears (Reeds and Shepp 1990), by OMPL; none when rounding spoils it.
+std::optional<Turn> reeds_shepp(const Pose& from, const Pose& to, double radius_m);
+double reeds_shepp_length_m(const Pose& from, const Pose& to, double radius_m);
+
+// Turns with straight run-outs tried before and after them, cheapest first. For swath ends that
+// are not level with each other, or boundaries askew to the swaths. Run-outs that are zero are
+// included.
+std::vector<Turn> turns_with_run_outs(const Pose& from, const Pose& to, double radius_m);
+
+}  // namespace headland

@@ -1,0 +1,31 @@
+// The line that the rear axle follows so that the implement works along a pass.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "planner/path.h"
+#include "planner/plan.h"
+
+namespace headland {
+
+// Rear-axle points of one pass, driven forward with the implement down, at most kPathSpacing_m
+// apart.
+struct WorkLine {
+  PathKind kind = PathKind::kSwath;
+  std::vector<PathPoint> points;
+};
+
+// The pass's line moved on by -implement_x_B_m along itself: an implement behind the rear axle
+// then works from end to end. A closed ring runs on over its own beginning, other lines run on
+// straight. Curved lines are averaged over kSmoothing_m to both sides, which evens out the corners
+// of rings made of chords; on a radius R that moves the line inwards by kSmoothing_m^2 / (12 R).
+// The pass has two points or more, none repeated.
+WorkLine work_line(const Pass& pass, double implement_x_B_m);
+
+inline constexpr double kSmoothing_m = 0.75;
+
+// Ends nearer than this make a line of more than two points a closed ring.
+inline constexpr double kRingGap_m = 1.0;
+
+}  // namespace headland
