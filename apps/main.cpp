@@ -1,1 +1,79 @@
-int main() { return 0; }
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+
+#include "apps/commands.h"
+#include "apps/interrupt.h"
+#include "planner/plan.h"
+#include "terrains/input_error.h"
+
+namespace {
+
+void complain(std::string line) {
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  fmt::print(stderr, "headland: {}\n", line);
+}
+
+std::vector<std::string> subcommand_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+// CLI11 calls a mistyped subcommand an unexpected argument; this says which one was meant.
+void check_subcommand(const CLI::App& app, const std::string& option, const char* word) {
+  const std::vector<std::string> known = subcommand_names(app);
+  if (word[0] == '-' || std::find(known.begin(), known.end(), word) != known.end()) return;
+  throw headland::InputError(
+      option, "", word,
+      fmt::format("unknown subcommand; did you mean '{}'? (known: {})",
+                  headland::nearest_name(word, known), fmt::join(known, ", ")));
+}
+
+int run(int argc, char** argv) {
+  int exit_code = headland::kExitRan;
+  CLI::App app("Drives coverage plans in physics before anyone drives them in a field.",
+               "headland");
+  app.set_version_flag("--version", "headland " HEADLAND_VERSION);
+  app.require_subcommand(1);
+  app.footer("Example:\n  headland evaluate examples/demo.yaml -o out/demo");
+  headland::add_evaluate_command(app, exit_code);
+  headland::add_plan_command(app, exit_code);
+  headland::add_drive_command(app, exit_code);
+  headland::add_render_command(app, exit_code);
+  headland::add_list_command(app, exit_code);
+  if (argc > 1) check_subcommand(app, "", argv[1]);
+  if (argc > 2 && argv[1] == std::string("list")) {
+    check_subcommand(*app.get_subcommand("list"), "list", argv[2]);
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    complain(fmt::format("{} (see 'headland --help')", error.what()));
+    return headland::kExitBadInput;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  headland::catch_interrupts();
+  try {
+    return run(argc, argv);
+  } catch (const headland::InputError& error) {
+    complain(error.what());
+    return headland::kExitBadInput;
+  } catch (const headland::PlanInfeasible& error) {
+    complain(error.what());
+    return headland::kExitBadInput;
+  } catch (const headland::Interrupted&) {
+    complain("interrupted; what the finished stages wrote is kept");
+    return headland::kExitInterrupted;
+  } catch (const std::exception& error) {
+    complain(std::string("internal error: ") + error.what());
+    return headland::kExitInternal;
+  }
+}

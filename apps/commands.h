@@ -1,0 +1,60 @@
+// The subcommands of `headland`: each adds itself to the command line, runs when it is called and
+// leaves its exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "apps/stages.h"
+#include "render/pictures.h"
+
+namespace headland {
+
+enum ExitCode : int {
+  kExitRan = 0,          // done; of a verdict: PASS or WARN
+  kExitVerdictFail = 1,  // done, and the verdict is FAIL
+  kExitBadInput = 2,     // one line on standard error says what is wrong
+  kExitInternal = 3,     // a fault of headland itself
+  kExitInterrupted = 130,
+};
+
+void add_evaluate_command(CLI::App& app, int& exit_code);
+void add_plan_command(CLI::App& app, int& exit_code);
+void add_drive_command(CLI::App& app, int& exit_code);
+void add_render_command(CLI::App& app, int& exit_code);
+void add_list_command(CLI::App& app, int& exit_code);
+
+// Options that several subcommands share.
+struct CommonOptions {
+  std::string scenario;
+  std::string folder;
+  std::optional<std::uint64_t> seed;
+  std::optional<double> record_hz;
+  std::string size;  // "WxH"; empty: the pictures' default
+  bool allow_overrun = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+// Declares the shared options on `command`: the seed, --allow-overrun, --json, --quiet.
+void add_scenario_options(CLI::App& command, CommonOptions& options);
+void add_record_option(CLI::App& command, CommonOptions& options);
+void add_size_option(CLI::App& command, CommonOptions& options);
+
+// The scenario of `file` with the options applied, and what it describes, loaded. Throws
+// InputError, also when no results could be written to `folder`.
+Job make_job(const std::filesystem::path& file, const std::filesystem::path& folder,
+             const CommonOptions& options);
+
+// Throws InputError unless both sides are within 64..8192.
+PictureSize picture_size(const CommonOptions& options);
+
+// Drives the job's path with progress on the terminal.
+DriveResult drive_with_progress(const Job& job, const CommonOptions& options);
+
+int exit_code_of(const Verdict& verdict);
+
+}  // namespace headland

@@ -1,0 +1,105 @@
+// headland drive: drives a path in physics, ours or another tool's, and judges it.
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "apps/commands.h"
+#include "apps/interrupt.h"
+#include "apps/summary.h"
+#include "evaluate/json_text.h"
+#include "evaluate/results.h"
+#include "terrains/input_error.h"
+
+namespace headland {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct DriveOptions {
+  CommonOptions common;
+  std::string track;
+  double tolerance_m = 0.3;
+};
+
+bool same_folder(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  return fs::equivalent(a, b, ignored);
+}
+
+// Puts the path to drive into the job's folder; tells about the track it comes from, if any.
+std::optional<TrackReport> prepare_path(const Job& job, const fs::path& planned,
+                                        const DriveOptions& options) {
+  if (!options.track.empty()) {
+    TrackReport report;
+    track_stage(job, options.track, options.tolerance_m, report);
+    return report;
+  }
+  if (!same_folder(planned, job.folder)) adopt_plan(job, planned);
+  return std::nullopt;
+}
+
+int drive(const DriveOptions& options) {
+  const fs::path given = options.common.scenario;
+  const bool planned = fs::is_directory(given);
+  if (!planned && options.track.empty()) {
+    throw InputError(
+        given.string(), "", "",
+        "no path to drive: give the folder that 'headland plan' wrote, or --path FILE");
+  }
+  if (!planned && options.common.folder.empty()) {
+    throw InputError("-o", "", "", "a folder for the results is needed");
+  }
+  if (planned && options.track.empty() && !fs::exists(given / kPathFile)) {
+    throw InputError((given / kPathFile).string(), "", "",
+                     "no such file: 'headland plan' writes it");
+  }
+  if (!(options.tolerance_m > 0.0 && options.tolerance_m <= 100.0)) {
+    throw InputError("--tolerance", "", fmt::format("{}", options.tolerance_m),
+                     "more than 0 and at most 100 m");
+  }
+  const fs::path folder = options.common.folder.empty() ? given : fs::path(options.common.folder);
+  const Job job = make_job(planned ? given / kScenarioFile : given, folder, options.common);
+  const std::optional<TrackReport> track = prepare_path(job, given, options);
+  stop_if_interrupted();
+  DriveResult result = drive_with_progress(job, options.common);
+  if (options.common.json) {
+    if (track) result.json["track"] = track_json(*track);
+    fmt::print("{}\n", json_text(result.json, 2));
+  } else if (!options.common.quiet) {
+    fmt::print("{}{}\nresults and tables are in {}; 'headland render {}' draws them\n",
+               track ? track_summary(*track) : "", run_summary(job, result), folder.string(),
+               folder.string());
+  }
+  return exit_code_of(result.verdict);
+}
+
+}  // namespace
+
+void add_drive_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("drive", "Drive a path in physics and judge it");
+  auto options = std::make_shared<DriveOptions>();
+  command
+      ->add_option("SCENARIO_OR_DIR", options->common.scenario,
+                   "Folder that 'headland plan' wrote, or a scenario with --path")
+      ->required();
+  command->add_option("-o,--output", options->common.folder,
+                      "Folder for the results; default: the folder of the plan");
+  command->add_option("--path", options->track,
+                      "Drive another tool's plan or a logged track instead: GeoJSON line or CSV "
+                      "with x,y in metres or lon,lat in degrees");
+  command
+      ->add_option("--tolerance", options->tolerance_m,
+                   "How far from its points the track may be smoothed, in metres")
+      ->capture_default_str();
+  add_scenario_options(*command, options->common);
+  add_record_option(*command, options->common);
+  command->footer(
+      "Examples:\n  headland drive out/demo\n"
+      "  headland drive examples/real_field.yaml --path track.csv -o out/track\n\n"
+      "Exits with 0 when the verdict is PASS or WARN, 1 when it is FAIL, 2 for bad input,\n"
+      "130 after Ctrl-C (the run in flight is dropped, its plan is kept).");
+  command->callback([options, &exit_code] { exit_code = drive(*options); });
+}
+
+}  // namespace headland

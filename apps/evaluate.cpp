@@ -1,0 +1,48 @@
+// headland evaluate: plans, drives, judges and draws.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "apps/commands.h"
+#include "apps/interrupt.h"
+#include "apps/summary.h"
+#include "evaluate/json_text.h"
+
+namespace headland {
+namespace {
+
+int evaluate(const CommonOptions& options) {
+  const PictureSize size = picture_size(options);
+  const Job job = make_job(options.scenario, options.folder, options);
+  plan_stage(job);
+  stop_if_interrupted();
+  const DriveResult result = drive_with_progress(job, options);
+  stop_if_interrupted();
+  draw_stage(job, size);
+  if (options.json) {
+    fmt::print("{}\n", json_text(result.json, 2));
+  } else if (!options.quiet) {
+    fmt::print("{}\nresults, tables and pictures are in {}\n", run_summary(job, result),
+               job.folder.string());
+  }
+  return exit_code_of(result.verdict);
+}
+
+}  // namespace
+
+void add_evaluate_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("evaluate", "Plan, drive, judge and draw a scenario");
+  auto options = std::make_shared<CommonOptions>();
+  command->add_option("SCENARIO", options->scenario, "Scenario file (YAML)")->required();
+  command->add_option("-o,--output", options->folder, "Folder for the results")->required();
+  add_scenario_options(*command, *options);
+  add_record_option(*command, *options);
+  add_size_option(*command, *options);
+  command->footer(
+      "Example:\n  headland evaluate examples/demo.yaml -o out/demo\n\n"
+      "Exits with 0 when the verdict is PASS or WARN, 1 when it is FAIL, 2 for bad input,\n"
+      "130 after Ctrl-C (the finished stages are kept, the run in flight is dropped).");
+  command->callback([options, &exit_code] { exit_code = evaluate(*options); });
+}
+
+}  // namespace headland

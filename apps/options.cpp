@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "apps/commands.h"
+#include "apps/interrupt.h"
+#include "apps/progress.h"
+#include "evaluate/atomic_file.h"
+#include "terrains/input_error.h"
+
+namespace headland {
+
+void add_scenario_options(CLI::App& command, CommonOptions& options) {
+  command.add_option("--seed", options.seed,
+                     "Seed of every random draw, instead of the scenario's");
+  command.add_flag("--allow-overrun", options.allow_overrun,
+                   "Record where the path does not fit the field instead of refusing");
+  command.add_flag("--json", options.json, "Print the summary as JSON, and nothing else");
+  command.add_flag("--quiet,-q", options.quiet, "No progress and no summary");
+}
+
+void add_record_option(CLI::App& command, CommonOptions& options) {
+  command.add_option("--record-hz", options.record_hz, "Rows a second of run.csv");
+}
+
+void add_size_option(CLI::App& command, CommonOptions& options) {
+  command.add_option("--size", options.size, "Pixels of the pictures, as 1600x1000");
+}
+
+Job make_job(const std::filesystem::path& file, const std::filesystem::path& folder,
+             const CommonOptions& options) {
+  check_output_folder(folder);
+  Job job;
+  job.folder = folder;
+  job.scenario = read_scenario(file, options.seed);
+  if (options.allow_overrun) job.scenario.path.allow_overrun = true;
+  if (options.record_hz) {
+    const double rate_hz = job.scenario.simulation.rate_hz;
+    if (!(*options.record_hz > 0.0 && *options.record_hz <= rate_hz)) {
+      throw InputError("--record-hz", "", fmt::format("{}", *options.record_hz),
+                       fmt::format("more than 0 and at most {}, the simulation's rate", rate_hz));
+    }
+    job.scenario.simulation.record_hz = *options.record_hz;
+  }
+  job.stage = load_stage(job.scenario);
+  return job;
+}
+
+PictureSize picture_size(const CommonOptions& options) {
+  constexpr int kLeast = 64;
+  constexpr int kMost = 8192;
+  PictureSize size;
+  if (options.size.empty()) return size;
+  int read = 0;
+  const bool parsed =
+      std::sscanf(options.size.c_str(), "%5dx%5d%n", &size.width, &size.height, &read) == 2 &&
+      static_cast<std::size_t>(read) == options.size.size();
+  const auto fits = [](int pixels) { return pixels >= kLeast && pixels <= kMost; };
+  if (!parsed || !fits(size.width) || !fits(size.height)) {
+    throw InputError("--size", "", options.size,
+                     fmt::format("WIDTHxHEIGHT, each from {} to {} pixels", kLeast, kMost));
+  }
+  return size;
+}
+
+DriveResult drive_with_progress(const Job& job, const CommonOptions& options) {
+  ProgressLine line = start_progress(options.quiet);
+  const auto on_progress = [&line](const SimulationProgress& progress) {
+    show_progress(line, progress);
+    return !interrupted();
+  };
+  try {
+    DriveResult result = drive_stage(job, on_progress);
+    end_progress(line);
+    return result;
+  } catch (...) {
+    end_progress(line);
+    throw;
+  }
+}
+
+int exit_code_of(const Verdict& verdict) {
+  return verdict.grade == Grade::kFail ? kExitVerdictFail : kExitRan;
+}
+
+}  // namespace headland

@@ -1,0 +1,39 @@
+// headland plan: plans the field and makes the plan drivable.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "apps/commands.h"
+#include "apps/summary.h"
+#include "evaluate/json_text.h"
+
+namespace headland {
+namespace {
+
+int plan(const CommonOptions& options) {
+  const Job job = make_job(options.scenario, options.folder, options);
+  const PlanResult result = plan_stage(job);
+  if (options.json) {
+    fmt::print("{}\n", json_text(plan_summary_json(job, result), 2));
+  } else if (!options.quiet) {
+    fmt::print("{}\nplan and path are in {}\n", plan_summary(job, result), job.folder.string());
+  }
+  return kExitRan;
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("plan", "Plan a field and make the plan drivable");
+  auto options = std::make_shared<CommonOptions>();
+  command->add_option("SCENARIO", options->scenario, "Scenario file (YAML)")->required();
+  command->add_option("-o,--output", options->folder, "Folder for the results")->required();
+  add_scenario_options(*command, *options);
+  command->footer(
+      "Example:\n  headland plan examples/demo.yaml -o out/demo\n\n"
+      "Writes scenario.yaml, plan.geojson and path.geojson; 'headland drive out/demo' goes on.\n"
+      "Exits with 0, 2 when there is no plan or the input is bad, 130 after Ctrl-C.");
+  command->callback([options, &exit_code] { exit_code = plan(*options); });
+}
+
+}  // namespace headland

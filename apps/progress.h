@@ -1,0 +1,31 @@
+// One rewriting line on standard error while a run goes on; nothing when that is not a terminal.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "sim/simulation.h"
+
+namespace headland {
+
+struct ProgressLine {
+  using Clock = std::chrono::steady_clock;
+
+  bool shown = false;
+  Clock::time_point start;
+  Clock::time_point last;
+};
+
+// Starts the clock; shows nothing when `quiet` or standard error is not a terminal.
+ProgressLine start_progress(bool quiet);
+
+// Simulated time, speed factor, share done and time left, at most ten times a second.
+void show_progress(ProgressLine& line, const SimulationProgress& progress);
+
+// Clears the line.
+void end_progress(const ProgressLine& line);
+
+// "1 h 02 min", "3 min 20 s", "45 s".
+std::string duration_text(double seconds);
+
+}  // namespace headland

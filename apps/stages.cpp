@@ -1,0 +1,122 @@
+#include "apps/stages.h"
+
+#include <system_error>
+#include <vector>
+
+#include "apps/interrupt.h"
+#include "evaluate/atomic_file.h"
+#include "evaluate/coverage.h"
+#include "evaluate/json_text.h"
+#include "evaluate/metrics_file.h"
+#include "evaluate/plan_file.h"
+#include "evaluate/results.h"
+#include "evaluate/run_tables.h"
+#include "planner/planners.h"
+#include "render/image.h"
+#include "terrains/track.h"
+
+namespace headland {
+namespace {
+
+PlanRequest plan_request(const Job& job) {
+  const Vehicle& vehicle = job.stage.vehicle;
+  PlanRequest request;
+  request.field = job.stage.field;
+  request.terrain = &job.stage.terrain;
+  request.working_width_m = vehicle.implement.working_width_m;
+  request.turning_radius_m = planning_turning_radius_m(vehicle);
+  request.vehicle_width_m = vehicle.body.width_m;
+  request.vehicle_front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
+  request.vehicle_rear_m = vehicle.body.rear_overhang_m;
+  request.parameters = job.scenario.planner.parameters;
+  request.seed = job.scenario.seed;
+  return request;
+}
+
+CoverageRaster coverage_of(const Job& job, const RunRecord& run) {
+  return measure_coverage(job.stage.field, run.footprints, job.scenario.working_width_m,
+                          job.scenario.coverage_cell_m);
+}
+
+void remove_file(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+}
+
+}  // namespace
+
+PlanResult plan_stage(const Job& job) {
+  const PlannerEntry& planner = find_planner(job.scenario.planner.name, job.scenario.file.string());
+  PlanResult result;
+  result.plan = planner.plan(plan_request(job));
+  result.path = make_path(job.stage.field, job.stage.vehicle, result.plan, job.scenario.path);
+  const GeoFrame& frame = job.stage.field.frame;
+  write_together(job.folder, {{kScenarioFile, scenario_yaml(job.scenario)},
+                              {kPlanFile, plan_geojson(result.plan, frame)},
+                              {kPathFile, path_geojson(result.path, frame)}});
+  remove_results_from(job.folder, kRunFile);
+  return result;
+}
+
+Path track_stage(const Job& job, const std::filesystem::path& track_file, double tolerance_m,
+                 TrackReport& report) {
+  const GeoFrame& frame = job.stage.field.frame;
+  const Track track = read_track(track_file, frame);
+  Path path = make_drivable(job.stage.field, job.stage.vehicle, track, tolerance_m,
+                            job.scenario.path, &report);
+  write_together(job.folder, {{kScenarioFile, scenario_yaml(job.scenario)},
+                              {kPathFile, path_geojson(path, frame)}});
+  remove_file(job.folder / kPlanFile);
+  remove_results_from(job.folder, kRunFile);
+  return path;
+}
+
+void adopt_plan(const Job& job, const std::filesystem::path& from) {
+  const bool planned = std::filesystem::exists(from / kPlanFile);
+  std::vector<FileText> files = {{kScenarioFile, scenario_yaml(job.scenario)},
+                                 {kPathFile, read_text(from / kPathFile)}};
+  if (planned) files.push_back({kPlanFile, read_text(from / kPlanFile)});
+  write_together(job.folder, files);
+  if (!planned) remove_file(job.folder / kPlanFile);
+  remove_results_from(job.folder, kRunFile);
+}
+
+DriveResult drive_stage(const Job& job,
+                        const std::function<bool(const SimulationProgress&)>& progress) {
+  const Field& field = job.stage.field;
+  DriveResult result;
+  result.path = read_path(job.folder / kPathFile, field.frame);
+  result.run = simulate({field, job.stage.terrain, job.stage.soil, job.stage.vehicle, result.path,
+                         job.scenario.simulation, progress});
+  if (result.run.outcome == Outcome::kInterrupted) throw Interrupted{};
+  result.metrics =
+      measure_run(result.path, result.run, coverage_figures(coverage_of(job, result.run)));
+  result.verdict = judge(result.path, result.run, result.metrics, job.scenario.verdict);
+  result.json =
+      metrics_json({job.scenario, field, result.path, result.run, result.metrics, result.verdict},
+                   HEADLAND_VERSION);
+  write_together(job.folder, {{kScenarioFile, scenario_yaml(job.scenario)},
+                              {kRunFile, run_csv(result.run.samples, field.frame)},
+                              {kFootprintFile, footprint_csv(result.run.footprints)},
+                              {kSegmentsFile, segments_csv(result.path, result.run.segments)},
+                              {kMetricsFile, json_text(result.json, 2) + "\n"}});
+  remove_results_from(job.folder, kFieldPicture);
+  return result;
+}
+
+void draw_stage(const Job& job, const PictureSize& size) {
+  const Stage& stage = job.stage;
+  const Path path = read_path(job.folder / kPathFile, stage.field.frame);
+  const RunRecord run = read_run(job.folder, path);
+  const CoverageRaster coverage = coverage_of(job, run);
+  const PictureScene scene{stage.field, stage.terrain, stage.vehicle, path, run, coverage};
+  const auto draw = [&](auto draw_picture, const char* name) {
+    stop_if_interrupted();
+    write_png(draw_picture(scene, size), job.folder / name);
+  };
+  draw(draw_field_map, kFieldPicture);
+  draw(draw_view, kViewPicture);
+  draw(draw_energy_map, kEnergyPicture);
+}
+
+}  // namespace headland

@@ -1,0 +1,61 @@
+// The stages of an evaluation, one function each. Every stage reads from the results folder what
+// the stage before it wrote, so that one run in stages and one run at once give the same bytes.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "evaluate/metrics.h"
+#include "evaluate/scenario.h"
+#include "evaluate/verdict.h"
+#include "planner/drivable_path.h"
+#include "render/pictures.h"
+#include "sim/run_record.h"
+#include "sim/simulation.h"
+
+namespace headland {
+
+// What the stages share: a scenario, what it describes, and where the results go.
+struct Job {
+  Scenario scenario;
+  Stage stage;
+  std::filesystem::path folder;
+};
+
+struct PlanResult {
+  Plan plan;
+  Path path;
+};
+
+struct DriveResult {
+  Path path;
+  RunRecord run;
+  Metrics metrics;
+  Verdict verdict;
+  nlohmann::ordered_json json;  // of metrics.json
+};
+
+// Plans the field and makes the plan drivable. Writes scenario.yaml, plan.geojson, path.geojson.
+// Throws PlanInfeasible.
+PlanResult plan_stage(const Job& job);
+
+// Makes another tool's track drivable instead; tells in `report` what that took. Writes
+// scenario.yaml and path.geojson.
+Path track_stage(const Job& job, const std::filesystem::path& track_file, double tolerance_m,
+                 TrackReport& report);
+
+// Copies the plan and path that `plan` wrote into folder `from` to the job's folder.
+void adopt_plan(const Job& job, const std::filesystem::path& from);
+
+// Drives path.geojson in physics, measures and judges it. Writes scenario.yaml, run.csv,
+// footprint.csv, segments.csv and metrics.json. Throws Interrupted when `progress` stopped it:
+// nothing of the run is kept then.
+DriveResult drive_stage(const Job& job,
+                        const std::function<bool(const SimulationProgress&)>& progress);
+
+// Draws field.png, view.png and energy.png from what is in the folder.
+void draw_stage(const Job& job, const PictureSize& size);
+
+}  // namespace headland

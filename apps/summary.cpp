@@ -1,0 +1,207 @@
+#include "apps/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "apps/progress.h"
+
+namespace headland {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kJoulePerWh = 3600.0;
+constexpr double kSquareMetresPerHa = 1e4;
+constexpr PathKind kKinds[] = {PathKind::kSwath, PathKind::kHeadlandPass, PathKind::kTurn,
+                               PathKind::kUTurn, PathKind::kTransit};
+
+std::string row(std::string_view label, const std::string& value, const std::string& note = "") {
+  const std::string line = fmt::format("  {:<18}{:>14}   {}", label, value, note);
+  return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+}
+
+std::string hectares(double area_m2) {
+  return fmt::format("{:.3f} ha", area_m2 / kSquareMetresPerHa);
+}
+
+std::string percent(double ratio) { return fmt::format("{:.1f} %", 100.0 * ratio); }
+
+std::string place(const Peak& peak) {
+  return fmt::format("at x {:.1f}, y {:.1f} m after {}", peak.p_W.x(), peak.p_W.y(),
+                     duration_text(peak.time_s));
+}
+
+std::string headline(const Job& job) {
+  const Scenario& scenario = job.scenario;
+  return fmt::format("{}: {} with {:.4g} m on {} of {} ground, {} terrain, seed {}\n",
+                     scenario.name, job.stage.vehicle.name, scenario.working_width_m,
+                     hectares(field_area_m2(job.stage.field)), scenario.soil,
+                     scenario.terrain.file.empty() ? scenario.terrain.generator
+                                                   : scenario.terrain.file.filename().string(),
+                     scenario.seed);
+}
+
+std::string figures(const DriveResult& result) {
+  const Metrics& m = result.metrics;
+  const Peaks& peaks = result.run.peaks;
+  const CoverageFigures& area = m.coverage;
+  return row("outcome", std::string(outcome_name(result.run.outcome)), result.run.outcome_detail) +
+         row("covered", hectares(area.covered_m2),
+             percent(m.coverage_ratio) + " of " + hectares(area.workable_m2) + " workable") +
+         row("missed", hectares(area.missed_m2)) +
+         row("overlap", hectares(area.overlap_m2), percent(m.overlap_ratio) + " of workable") +
+         row("outside the field", hectares(area.outside_m2)) +
+         row("distance", fmt::format("{:.0f} m", m.distance_m)) +
+         row("time", duration_text(m.time_s)) +
+         row("energy", fmt::format("{:.1f} Wh", m.energy_wh),
+             fmt::format("{:.0f} Wh/ha", m.energy_wh_per_ha)) +
+         row("state of charge", fmt::format("-{:.1f} %", 100.0 * m.delta_soc),
+             fmt::format("{:.1f} % to {:.1f} %, lowest {:.1f} V under load",
+                         100.0 * result.run.soc_start, 100.0 * result.run.soc_end,
+                         peaks.min_voltage_v.value)) +
+         row("turns", fmt::format("{}", m.turns), fmt::format("and {} U-turns", m.u_turns)) +
+         row("worst slip", percent(m.worst_slip), place(peaks.slip)) +
+         row("load transfer", fmt::format("{:.2f}", m.worst_load_transfer),
+             place(peaks.load_transfer_ratio) + " (1 lifts the wheels of a side)") +
+         row("tracking error", fmt::format("{:.3f} m", m.track_rms_working_m),
+             fmt::format("rms at work, worst {:.3f} m; {:.3f} m rms in turns",
+                         peaks.cross_track_working_m.value, m.track_rms_turning_m)) +
+         row("energy ledger", fmt::format("{:.4f} %", 100.0 * m.ledger_residual_ratio),
+             "unaccounted for");
+}
+
+std::string energy_table(const RunRecord& run) {
+  std::string text = "\n  where the energy went\n";
+  const double battery_j = run.energy.battery_j;
+  std::vector<std::pair<double, EnergyCause>> causes;
+  for (std::size_t i = 0; i < kEnergyCauses; ++i) {
+    causes.emplace_back(run.energy.cause_j[i], static_cast<EnergyCause>(i));
+  }
+  std::stable_sort(causes.begin(), causes.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (const auto& [energy_j, cause] : causes) {
+    const double wh = energy_j / kJoulePerWh;
+    if (std::abs(wh) < 0.05) continue;
+    text += row(energy_cause_name(cause), fmt::format("{:.1f} Wh", wh),
+                battery_j > 0.0 ? fmt::format("{:5.1f} %", 100.0 * energy_j / battery_j) : "");
+  }
+  return text;
+}
+
+std::string kind_table(const Metrics& metrics) {
+  std::string text = fmt::format("\n  {:<18}{:>8}{:>12}{:>14}{:>12}{:>10}{:>12}\n", "by movement",
+                                 "count", "distance", "time", "energy", "per m", "each");
+  for (const PathKind kind : kKinds) {
+    const KindTotals& totals = metrics.by_kind[static_cast<std::size_t>(kind)];
+    if (totals.count == 0) continue;
+    const double wh = totals.energy.battery_j / kJoulePerWh;
+    text += fmt::format("  {:<18}{:>8}{:>10.0f} m{:>14}{:>9.1f} Wh{:>7.3f} Wh{:>9.2f} Wh\n",
+                        path_kind_name(kind), totals.count, totals.distance_m,
+                        duration_text(totals.time_s), wh,
+                        totals.distance_m > 0.0 ? wh / totals.distance_m : 0.0, wh / totals.count);
+  }
+  return text;
+}
+
+std::string verdict_text(const Verdict& verdict) {
+  std::string text = fmt::format("\nverdict: {}\n", grade_name(verdict.grade));
+  for (const Reason& reason : verdict.reasons) {
+    text += fmt::format("  {:<5} {}\n", grade_name(reason.grade), reason.text);
+  }
+  return text;
+}
+
+int manoeuvres_of(const Path& path, PathKind kind) {
+  std::vector<int> seen;
+  for (const PathSegment& segment : path.segments) {
+    if (segment.kind == kind) seen.push_back(segment.manoeuvre);
+  }
+  std::sort(seen.begin(), seen.end());
+  return static_cast<int>(std::unique(seen.begin(), seen.end()) - seen.begin());
+}
+
+double length_of_m(const Path& path, PathKind kind) {
+  double sum_m = 0.0;
+  for (const PathSegment& segment : path.segments) {
+    if (segment.kind == kind) sum_m += length_m(segment);
+  }
+  return sum_m;
+}
+
+double reverse_length_m(const Path& path) {
+  double sum_m = 0.0;
+  for (const PathSegment& segment : path.segments) {
+    if (segment.gear == Gear::kReverse) sum_m += length_m(segment);
+  }
+  return sum_m;
+}
+
+}  // namespace
+
+std::string run_summary(const Job& job, const DriveResult& result) {
+  return headline(job) + "\n" + figures(result) + energy_table(result.run) +
+         kind_table(result.metrics) + verdict_text(result.verdict);
+}
+
+std::string plan_summary(const Job& job, const PlanResult& result) {
+  std::string text =
+      headline(job) + "\n" + row("planner", result.plan.planner) +
+      row("swath direction",
+          fmt::format("{:.1f} deg", result.plan.swath_direction_rad * 180.0 / std::numbers::pi),
+          "counter-clockwise from east") +
+      row("headland", fmt::format("{:.2f} m", result.plan.headland_width_m)) +
+      row("path", fmt::format("{:.0f} m", length_m(result.path)),
+          fmt::format("{:.0f} m of it in reverse", reverse_length_m(result.path)));
+  for (const PathKind kind : kKinds) {
+    const int count = manoeuvres_of(result.path, kind);
+    if (count == 0) continue;
+    text += row(fmt::format("{} x {}", count, path_kind_name(kind)),
+                fmt::format("{:.0f} m", length_of_m(result.path, kind)));
+  }
+  for (const PathViolation& violation : result.path.violations) {
+    text += fmt::format("  overrun: {} by {:.2f} m at x {:.1f}, y {:.1f} m\n", violation.what,
+                        violation.overrun_m, violation.p_W.x(), violation.p_W.y());
+  }
+  return text;
+}
+
+Json plan_summary_json(const Job& job, const PlanResult& result) {
+  Json json;
+  json["headland"] = {{"version", HEADLAND_VERSION}};
+  json["scenario"] = {{"name", job.scenario.name},
+                      {"field_area_m2", field_area_m2(job.stage.field)},
+                      {"seed", job.scenario.seed}};
+  json["planner"] = result.plan.planner;
+  json["swath_direction_rad"] = result.plan.swath_direction_rad;
+  json["headland_width_m"] = result.plan.headland_width_m;
+  json["path_length_m"] = length_m(result.path);
+  json["reverse_length_m"] = reverse_length_m(result.path);
+  for (const PathKind kind : kKinds) {
+    json["by_kind"][std::string(path_kind_name(kind))] = {
+        {"count", manoeuvres_of(result.path, kind)}, {"length_m", length_of_m(result.path, kind)}};
+  }
+  json["violations"] = result.path.violations.size();
+  return json;
+}
+
+std::string track_summary(const TrackReport& report) {
+  std::string text = fmt::format(
+      "track made drivable: {} pieces, {} corners cut, at most {:.2f} m from its points\n",
+      report.pieces, report.cut_corners, report.max_deviation_m);
+  for (const std::string& note : report.notes) text += "  " + note + "\n";
+  return text;
+}
+
+Json track_json(const TrackReport& report) {
+  return {{"pieces", report.pieces},
+          {"cut_corners", report.cut_corners},
+          {"max_deviation_m", report.max_deviation_m},
+          {"notes", report.notes}};
+}
+
+}  // namespace headland

@@ -1,0 +1,22 @@
+// What a stage came to, for people.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "apps/stages.h"
+
+namespace headland {
+
+// A headline with what was evaluated, one aligned figure a line with its unit, where the energy
+// went, what each kind of movement cost, and the verdict with its reasons.
+std::string run_summary(const Job& job, const DriveResult& result);
+
+std::string plan_summary(const Job& job, const PlanResult& result);
+nlohmann::ordered_json plan_summary_json(const Job& job, const PlanResult& result);
+
+// What became of another tool's track.
+std::string track_summary(const TrackReport& report);
+nlohmann::ordered_json track_json(const TrackReport& report);
+
+}  // namespace headland
