@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "evaluate/coverage.h"
 #include "planner/path.h"
@@ -14,7 +15,8 @@
 namespace headland {
 
 // What is drawn. Nothing is owned. The pictures come from the record alone, never from the
-// physics: a record read back from disk gives the same picture.
+// physics: a record read back from disk gives the same picture. A run without samples, a path
+// without segments and a coverage raster without cells leave out what they would have shown.
 struct PictureScene {
   const Field& field;
   const Heightfield& terrain;
@@ -24,23 +26,25 @@ struct PictureScene {
   const CoverageRaster& coverage;
 };
 
+// Pixels, at least 240 x 240; the largest size depends on OpenGL and memory (4096 x 4096 works).
 struct PictureSize {
   int width = 1600;
   int height = 1000;
 };
+
+// All three throw InputError for a size that cannot be drawn and for missing fonts (names the
+// package). Same scene and size, same bytes.
 
 // From above: relief, boundary, holes, obstacles, driven coverage by times covered, planned and
 // driven path, start and end, scale bar, north arrow, legend.
 Image draw_field_map(const PictureScene& scene, const PictureSize& size);
 
 // Perspective of the whole field: lit terrain with the driven swaths on it, obstacles, and the
-// vehicle's mesh where it ended.
+// vehicle where it ended, once in its place and once from close by. A mesh that cannot be read is
+// replaced by a plain box, and the picture says so.
 Image draw_view(const PictureScene& scene, const PictureSize& size);
 
 // From above: the driven path coloured by battery energy per metre over the relief, with a scale.
 Image draw_energy_map(const PictureScene& scene, const PictureSize& size);
-
-// Writes a PNG to a temporary name and renames it. Throws InputError when it cannot be written.
-void write_png(const Image& image, const std::filesystem::path& file);
 
 }  // namespace headland

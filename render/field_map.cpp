@@ -1,0 +1,134 @@
+// draw_field_map: the driven coverage from above.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "render/map_base.h"
+#include "render/pictures.h"
+
+namespace headland {
+namespace {
+
+using Point2 = Eigen::Vector2d;
+
+// Widths of the path's lines: as wide as the distance between swaths leaves room for.
+struct PathWidths {
+  double planned_px = 1.0;
+  double driven_px = 1.0;
+};
+
+PathWidths path_widths(const PictureScene& scene, const Page& page, const MapView& view) {
+  const double spacing_px = scene.vehicle.implement.working_width_m > 0.0
+                                ? scene.vehicle.implement.working_width_m * view.camera.px_per_m
+                                : page.px(20);
+  return {std::clamp(0.26 * spacing_px, 0.6, std::max(1.0, page.px(3.6))),
+          std::clamp(0.09 * spacing_px, 0.35, std::max(1.0, page.px(1.3)))};
+}
+
+bool is_pass(PathKind kind) { return kind == PathKind::kSwath || kind == PathKind::kHeadlandPass; }
+
+void draw_planned(Sheet& sheet, const PictureScene& scene, const MapView& view,
+                  const PathWidths& widths) {
+  // Turns on top: they are few and matter more.
+  for (const bool passes : {true, false}) {
+    for (const PathSegment& segment : scene.path.segments) {
+      if (is_pass(segment.kind) != passes) continue;
+      std::vector<Point2> line;
+      for (const PathPoint& point : segment.points) line.push_back(point.p_W);
+      constexpr double kTolerance_px = 0.4;
+      stroke(sheet, thinned(map_line(view, line), kTolerance_px), widths.planned_px,
+             passes ? colours::kPlannedPass : colours::kPlannedTurn);
+    }
+  }
+}
+
+void draw_driven(Sheet& sheet, const PictureScene& scene, const MapView& view,
+                 const PathWidths& widths) {
+  std::vector<Point2> line;
+  for (const RunSample& sample : scene.run.samples) line.emplace_back(sample.p_WB.head<2>());
+  constexpr double kTolerance_px = 0.4;
+  stroke(sheet, thinned(map_line(view, line), kTolerance_px), widths.driven_px, colours::kDriven);
+}
+
+void legend_coverage(Legend& legend, const PictureScene& scene) {
+  const CoverageAreas areas = coverage_areas(scene.coverage);
+  const double total_m2 = std::accumulate(areas.inside_m2.begin(), areas.inside_m2.end(), 0.0);
+  const auto figure = [&](std::size_t i) {
+    return total_m2 > 0.0 ? fmt::format("{}  {:4.1f} %", area_text(areas.inside_m2[i]),
+                                        100.0 * areas.inside_m2[i] / total_m2)
+                          : std::string();
+  };
+  legend_heading(legend, "Driven coverage");
+  legend_swatch(legend, colours::kOnce, "Once", figure(0));
+  legend_swatch(legend, colours::kTwice, "Twice", figure(1));
+  legend_swatch(legend, colours::kThrice, "3+ times", figure(2));
+  legend_swatch(legend, colours::kMissed, "Missed", figure(3));
+  if (areas.outside_m2 > 0.0) {
+    legend_note(legend, fmt::format("{} worked outside the field.", area_text(areas.outside_m2)));
+  }
+  legend_gap(legend, 10);
+}
+
+void legend_path(Legend& legend, const PictureScene& scene) {
+  const Page& page = legend.page;
+  legend_heading(legend, "Path");
+  const Point2 half(page.px(13), 0.0);
+  const auto sample = [&](std::string_view label, Rgba colour, double width_px) {
+    const Point2 centre = legend_symbol(legend, label);
+    // On the ground's colour, as in the map: a white line on paper cannot be seen.
+    fill_box(legend.sheet,
+             {centre.x() - half.x(), centre.y() - page.px(7), 2 * half.x(), page.px(14)},
+             colours::kOnce);
+    stroke(legend.sheet, std::array{Point2(centre - half), Point2(centre + half)}, width_px,
+           colour);
+  };
+  sample("Planned swath or headland pass", colours::kPlannedPass, page.px(3.6));
+  sample("Planned turn or transit", colours::kPlannedTurn, page.px(3.6));
+  sample("Driven", colours::kDriven, std::max(1.0, page.px(1.3)));
+  legend_start_and_end(legend, scene);
+  legend_gap(legend, 10);
+}
+
+}  // namespace
+
+Image draw_field_map(const PictureScene& scene, const PictureSize& size) {
+  const Page page = page_of(size);
+  Typeface typeface(kFontFile, kBoldFontFile);
+  const OsmesaContext context;
+  const GlFrame frame(size.width, size.height, colours::kPaper);
+  const MapView view = map_view(scene, page);
+
+  SurfaceLook look;
+  look.once = colours::kOnce;
+  look.twice = colours::kTwice;
+  look.thrice = colours::kThrice;
+  look.missed = colours::kMissed;
+  paint_map_ground(scene, page, view, coverage_classes(scene.coverage, true), look,
+                   colours::kGround);
+
+  Sheet map;
+  const PathWidths widths = path_widths(scene, page, view);
+  draw_planned(map, scene, view, widths);
+  draw_driven(map, scene, view, widths);
+  draw_field_lines(map, scene, page, view);
+  draw_start_and_end(map, scene, page, view);
+  look_through(view.camera.view_px, size.height);
+  paint(map, typeface, page.size_px);
+  look_at_page();
+
+  Sheet margin;
+  write_title(margin, typeface, page, scene, "Coverage");
+  Legend legend{margin, typeface, page, page.column.y - page.px(4)};
+  legend_coverage(legend, scene);
+  legend_path(legend, scene);
+  legend_field(legend, scene);
+  legend_gap(legend, 10);
+  legend_relief(legend, view);
+  draw_map_frame(margin, typeface, page, view);
+  paint(margin, typeface, page.size_px);
+  return frame.read();
+}
+
+}  // namespace headland

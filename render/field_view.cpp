@@ -1,0 +1,140 @@
+#include "render/field_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace headland {
+namespace {
+
+using Point = Eigen::Vector3d;
+
+constexpr double kPi = std::numbers::pi;
+
+// Relief is seen well when its height is this share of the field's size.
+constexpr double kWellSeenRelief = 0.10;
+constexpr double kMaxExaggeration = 5.0;
+constexpr double kLevelRelief = 0.002;  // share below which stretching would show mere noise
+
+double exaggeration_for(double relief_m, double size_m) {
+  if (relief_m < kLevelRelief * size_m) return 1.0;
+  return std::clamp(std::floor(kWellSeenRelief * size_m / relief_m), 1.0, kMaxExaggeration);
+}
+
+// Everything that has to be in the picture.
+std::vector<Point> outline(const PictureScene& scene, const FieldView& view) {
+  const Eigen::Vector2d& low = view.block.low;
+  const Eigen::Vector2d& high = view.block.high;
+  const std::vector<Eigen::Vector2d> corners = {
+      low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  const double spacing_m = 0.05 * view.block.size().maxCoeff();
+  std::vector<Point> points = draped(scene.terrain, view.relief, corners, true, spacing_m, 0.0);
+  for (const Eigen::Vector2d& p : corners) points.emplace_back(p.x(), p.y(), view.bottom_D);
+  for (const Point& p :
+       draped(scene.terrain, view.relief, scene.field.boundary, true, spacing_m, 0.0)) {
+    points.push_back(p);
+  }
+  for (const Obstacle& obstacle : scene.field.obstacles) {
+    points.push_back(on_ground(scene.terrain, view.relief, obstacle.p_W) +
+                     Point(0.0, 0.0, obstacle.height_m));
+  }
+  return points;
+}
+
+// Of the boundary as seen, positive when its upper side is.
+double seen_area_px2(const PictureScene& scene, const FieldView& view, const Camera& camera) {
+  Ring seen;
+  const double spacing_m = 0.05 * view.block.size().maxCoeff();
+  for (const Point& p :
+       draped(scene.terrain, view.relief, scene.field.boundary, true, spacing_m, 0.0)) {
+    const Point pixel = pixel_of(camera, p);
+    seen.emplace_back(pixel.x(), -pixel.y());
+  }
+  return signed_area_m2(seen);
+}
+
+}  // namespace
+
+Page view_page(const PictureSize& size) {
+  constexpr double kCloseUpUnits = 470.0;
+  return page_of(size, kCloseUpUnits);
+}
+
+FieldView field_view(const PictureScene& scene, const Page& page) {
+  constexpr double kMarginShare = 0.03;
+  constexpr double kThickness = 0.035;
+  constexpr double kDown_rad = 36.0 * kPi / 180.0;
+  constexpr double kFieldOfView_rad = 26.0 * kPi / 180.0;
+  FieldView view;
+  const Extent terrain = extent_of(scene.terrain);
+  const Extent field = extent_of(scene.field.boundary);
+  const double size_m = field.size().maxCoeff();
+  view.block = overlap(grown(field, std::max(2.0, kMarginShare * size_m)), terrain);
+  const HeightRange heights = height_range(scene.terrain, view.block);
+  view.relief = {heights.low_m, exaggeration_for(heights.high_m - heights.low_m, size_m)};
+  view.bottom_D = -kThickness * size_m;
+
+  const std::vector<Point> points = outline(scene, view);
+  double best = -1e300;
+  constexpr int kHeadings = 8;
+  for (int k = 0; k < kHeadings; ++k) {
+    // A little aside, so that no edge of the block lies level; north-up comes first and wins ties.
+    const double heading = 0.5 * kPi + 0.35 + 2.0 * kPi * k / kHeadings;
+    const Camera camera = fit_camera(points, heading, kDown_rad, kFieldOfView_rad, page.main);
+    constexpr double kFamiliarNorth = 0.15;
+    const double area =
+        seen_area_px2(scene, view, camera) * (1.0 + kFamiliarNorth * std::sin(heading));
+    if (area <= best) continue;
+    best = area;
+    view.camera = camera;
+  }
+  return view;
+}
+
+const RunSample* last_pose(const RunRecord& run) {
+  const auto last = std::find_if(run.samples.rbegin(), run.samples.rend(),
+                                 [](const RunSample& sample) { return sample.p_WB.allFinite(); });
+  return last == run.samples.rend() ? nullptr : &*last;
+}
+
+FieldView close_up(const PictureScene& scene, const RunSample& sample, const Box& view_px) {
+  constexpr double kDown_rad = 17.0 * kPi / 180.0;
+  constexpr double kFieldOfView_rad = 34.0 * kPi / 180.0;
+  constexpr double kAside_rad = 0.66;
+  constexpr double kReach_m = 160.0;
+  // Beyond this width the ends of the implement may leave the picture: the vehicle is the subject.
+  constexpr double kWidest_m = 7.0;
+  const Body& body = scene.vehicle.body;
+  const Extent terrain = extent_of(scene.terrain);
+  const Eigen::Vector2d p_W =
+      Eigen::Vector2d(sample.p_WB.head<2>()).cwiseMax(terrain.low).cwiseMin(terrain.high);
+  FieldView view;
+  const Extent near{p_W - Eigen::Vector2d::Constant(kReach_m),
+                    p_W + Eigen::Vector2d::Constant(kReach_m)};
+  view.block = overlap(near, terrain);
+  view.relief = {sample.p_WB.z(), 1.0};
+  view.bottom_D = height_range(scene.terrain, view.block).low_m - sample.p_WB.z() - 5.0;
+
+  const double half_m =
+      0.5 * std::max(body.width_m, std::min(kWidest_m, scene.vehicle.implement.working_width_m));
+  const double rear_m = std::min(-body.rear_overhang_m, scene.vehicle.implement.x_B_m - 0.4);
+  const double front_m = body.length_m - body.rear_overhang_m + 0.4;
+  const Eigen::Rotation2Dd turn(sample.yaw_rad);
+  std::vector<Point> points;
+  for (const double x : {rear_m, front_m}) {
+    for (const double y : {-half_m, half_m}) {
+      const bool behind = x < 0.0;
+      const Eigen::Vector2d p = p_W + turn * Eigen::Vector2d(x, behind ? y : 0.6 * y);
+      points.push_back(on_ground(scene.terrain, view.relief, p) - Point(0.0, 0.0, 0.2));
+      points.push_back(points.back() + Point(0.0, 0.0, behind ? 1.2 : body.height_m + 0.4));
+    }
+  }
+  view.camera =
+      fit_camera(points, sample.yaw_rad + kPi + kAside_rad, kDown_rad, kFieldOfView_rad, view_px);
+  view.camera.far_m = 2.0 * kReach_m + 100.0;
+  view.camera.near_m = std::max(0.2, 0.2 * (view.camera.target_D - view.camera.eye_D).norm());
+  return view;
+}
+
+}  // namespace headland

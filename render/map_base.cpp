@@ -1,0 +1,232 @@
+#include "render/map_base.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace headland {
+namespace {
+
+using Point2 = Eigen::Vector2d;
+
+// Slopes up to here are seen well in the shading; gentler ground is stretched, at most so often.
+constexpr double kWellSeenSlope = 0.30;
+constexpr double kMaxShadingStretch = 6.0;
+constexpr double kContours = 9.0;        // about so many between lowest and highest
+constexpr double kLevelGround_m = 0.05;  // below this there is nothing to draw a contour of
+
+struct Ends {
+  Point2 start;
+  Point2 end;
+  double start_yaw_rad = 0.0;
+};
+
+std::optional<Ends> ends_of(const PictureScene& scene) {
+  if (!scene.run.samples.empty()) {
+    const RunSample& first = scene.run.samples.front();
+    return Ends{first.p_WB.head<2>(), scene.run.samples.back().p_WB.head<2>(), first.yaw_rad};
+  }
+  const auto has_points = [](const PathSegment& segment) { return !segment.points.empty(); };
+  const auto& segments = scene.path.segments;
+  const auto first = std::find_if(segments.begin(), segments.end(), has_points);
+  if (first == segments.end()) return std::nullopt;
+  const auto last = std::find_if(segments.rbegin(), segments.rend(), has_points);
+  return Ends{first->points.front().p_W, last->points.back().p_W,
+              first->points.front().heading_rad};
+}
+
+void add_start(Sheet& sheet, const Page& page, const Point2& p_px, double yaw_rad) {
+  const Point2 ahead(std::cos(yaw_rad), -std::sin(yaw_rad));
+  const Point2 side(-ahead.y(), ahead.x());
+  const double size = page.px(9.5);
+  const std::array<Point2, 3> corners = {p_px + size * ahead, p_px - 0.75 * size * (ahead + side),
+                                         p_px - 0.75 * size * (ahead - side)};
+  stroke(sheet, corners, page.px(5), colours::kPaper, true);
+  fill_convex(sheet, corners, colours::kStart);
+  stroke(sheet, corners, std::max(1.0, page.px(1.5)), colours::kInk, true);
+}
+
+void add_end(Sheet& sheet, const Page& page, const Point2& p_px) {
+  const double size = std::round(page.px(14));
+  const Box box{std::round(p_px.x() - 0.5 * size), std::round(p_px.y() - 0.5 * size), size, size};
+  const double rim = std::max(1.0, std::round(page.px(2)));
+  fill_box(sheet, {box.x - rim, box.y - rim, size + 2 * rim, size + 2 * rim}, colours::kPaper);
+  fill_box(sheet, box, colours::kEnd);
+  frame_box(sheet, box, std::max(1.0, std::round(page.px(1.5))), colours::kInk);
+}
+
+void add_obstacle(Sheet& sheet, const Page& page, ObstacleKind kind, const Point2& p_px,
+                  double radius_px) {
+  const double line = std::max(1.0, page.px(1.4));
+  switch (kind) {
+    case ObstacleKind::kTree: {
+      fill_disc(sheet, p_px, radius_px + line, colours::kPaper);
+      fill_disc(sheet, p_px, radius_px, colours::kTree);
+      fill_disc(sheet, p_px, 0.35 * radius_px, colours::kPaper);
+      break;
+    }
+    case ObstacleKind::kPole: {
+      fill_disc(sheet, p_px, radius_px + line, colours::kPaper);
+      fill_disc(sheet, p_px, radius_px, colours::kInk);
+      const double reach = 0.55 * radius_px;
+      stroke(sheet,
+             std::array{Point2(p_px - Point2(reach, reach)), Point2(p_px + Point2(reach, reach))},
+             line, colours::kPaper);
+      stroke(sheet,
+             std::array{Point2(p_px - Point2(reach, -reach)), Point2(p_px + Point2(reach, -reach))},
+             line, colours::kPaper);
+      break;
+    }
+    case ObstacleKind::kRock: {
+      const std::array<Point2, 5> corners = {
+          p_px + radius_px * Point2(-1.0, 0.7), p_px + radius_px * Point2(-0.6, -0.5),
+          p_px + radius_px * Point2(0.2, -0.9), p_px + radius_px * Point2(0.9, -0.1),
+          p_px + radius_px * Point2(1.0, 0.7)};
+      stroke(sheet, corners, 2.0 * line, colours::kPaper, true);
+      fill_convex(sheet, corners, colours::kRock);
+      stroke(sheet, corners, line, colours::kInk, true);
+      break;
+    }
+  }
+}
+
+double boundary_width_px(const Page& page) { return std::max(1.5, page.px(2.4)); }
+
+}  // namespace
+
+MapView map_view(const PictureScene& scene, const Page& page) {
+  constexpr double kMarginShare = 0.035;
+  constexpr double kMinMargin_m = 1.5;
+  const Extent field = extent_of(scene.field.boundary);
+  const double margin_m = std::max(kMinMargin_m, kMarginShare * field.size().maxCoeff());
+  const Extent terrain = extent_of(scene.terrain);
+  MapView view;
+  view.camera = fit_map(grown(field, margin_m), terrain, page.main);
+  view.heights = height_range(scene.terrain, overlap(field, terrain));
+  const double relief_m = view.heights.high_m - view.heights.low_m;
+  if (relief_m > kLevelGround_m) view.contour_m = round_down_to_125(1.6 * relief_m / kContours);
+  // From a multiple of the step, so that contours lie at round heights.
+  view.relief.base_m = view.contour_m > 0.0
+                           ? std::floor(view.heights.low_m / view.contour_m) * view.contour_m
+                           : view.heights.low_m;
+  const double slope = steep_slope(scene.terrain, overlap(field, terrain));
+  view.relief.exaggeration =
+      slope > 0.0 ? std::clamp(std::floor(kWellSeenSlope / slope), 1.0, kMaxShadingStretch) : 1.0;
+  return view;
+}
+
+void paint_map_ground(const PictureScene& scene, const Page& page, const MapView& view,
+                      const CoverageClasses& classes, const SurfaceLook& look, Rgba ground) {
+  const Mesh mesh = relief_mesh(scene.terrain, view.relief,
+                                grown(view.camera.window, 2.0 * scene.terrain.cell_m), ground);
+  const auto [low, high] = std::minmax_element(
+      mesh.vertices.begin(), mesh.vertices.end(),
+      [](const MeshVertex& a, const MeshVertex& b) { return a.p.z() < b.p.z(); });
+  SurfaceLook contoured = look;
+  contoured.contour_step_D = static_cast<float>(view.contour_m * view.relief.exaggeration);
+  look_through(view.camera.view_px, page.size_px.y());
+  paint_surface(upload(mesh), clip_from_D(view.camera, low->p.z(), high->p.z()),
+                SurfaceCoverage(classes), contoured);
+  look_at_page();
+}
+
+std::vector<Eigen::Vector3d> map_line(const MapView& view, const std::vector<Point2>& line_W) {
+  std::vector<Eigen::Vector3d> line;
+  line.reserve(line_W.size());
+  for (const Point2& p_W : line_W) {
+    const Point2 p = pixel_of(view.camera, p_W);
+    line.emplace_back(p.x(), p.y(), 0.0);
+  }
+  return line;
+}
+
+void draw_field_lines(Sheet& sheet, const PictureScene& scene, const Page& page,
+                      const MapView& view) {
+  const double width = boundary_width_px(page);
+  for (const Ring& hole : scene.field.holes) {
+    std::vector<Point2> ring;
+    for (const Point2& p_W : hole) ring.push_back(pixel_of(view.camera, p_W));
+    hatch(sheet, std::span(&ring, 1), page.px(8), std::max(1.0, page.px(1.6)), colours::kInkSoft);
+    stroke(sheet, ring, 0.75 * width, colours::kBoundary, true);
+  }
+  stroke(sheet, map_line(view, scene.field.boundary), width, colours::kBoundary, true);
+  for (const Obstacle& obstacle : scene.field.obstacles) {
+    const double radius = std::max(page.px(5.5), obstacle.radius_m * view.camera.px_per_m);
+    add_obstacle(sheet, page, obstacle.kind, pixel_of(view.camera, obstacle.p_W), radius);
+  }
+}
+
+void draw_start_and_end(Sheet& sheet, const PictureScene& scene, const Page& page,
+                        const MapView& view) {
+  const std::optional<Ends> ends = ends_of(scene);
+  if (!ends) return;
+  add_end(sheet, page, pixel_of(view.camera, ends->end));
+  add_start(sheet, page, pixel_of(view.camera, ends->start), ends->start_yaw_rad);
+}
+
+void legend_field(Legend& legend, const PictureScene& scene) {
+  const Page& page = legend.page;
+  legend_heading(legend, "Field");
+  const Point2 boundary = legend_symbol(legend, "Boundary");
+  const Point2 half(page.px(13), 0.0);
+  stroke(legend.sheet, std::array{Point2(boundary - half), Point2(boundary + half)},
+         boundary_width_px(page), colours::kBoundary);
+  if (!scene.field.holes.empty()) {
+    const Point2 centre = legend_symbol(legend, "Hole, not to be entered");
+    const Point2 size(page.px(13), page.px(7.5));
+    const std::vector<Point2> ring = {centre - size,
+                                      {centre.x() + size.x(), centre.y() - size.y()},
+                                      centre + size,
+                                      {centre.x() - size.x(), centre.y() + size.y()}};
+    hatch(legend.sheet, std::span(&ring, 1), page.px(6), std::max(1.0, page.px(1.6)),
+          colours::kInkSoft);
+    stroke(legend.sheet, ring, std::max(1.0, page.px(1.5)), colours::kBoundary, true);
+  }
+  for (const ObstacleKind kind : {ObstacleKind::kTree, ObstacleKind::kPole, ObstacleKind::kRock}) {
+    const auto count =
+        std::count_if(scene.field.obstacles.begin(), scene.field.obstacles.end(),
+                      [kind](const Obstacle& obstacle) { return obstacle.kind == kind; });
+    if (count == 0) continue;
+    constexpr std::array<std::string_view, 3> kLabels = {"Tree", "Pole", "Rock"};
+    const Point2 centre = legend_symbol(legend, kLabels[static_cast<std::size_t>(kind)],
+                                        count > 1 ? fmt::format("{}", count) : std::string());
+    add_obstacle(legend.sheet, page, kind, centre, page.px(5.5));
+  }
+}
+
+void legend_relief(Legend& legend, const MapView& view) {
+  legend_heading(legend, "Relief");
+  const double relief_m = view.heights.high_m - view.heights.low_m;
+  if (view.contour_m <= 0.0) {
+    legend_note(legend, "Level ground.");
+    return;
+  }
+  legend_note(legend,
+              fmt::format("{:.1f} m from lowest to highest ({:.1f} m to {:.1f} m). Contours "
+                          "every {:g} m.",
+                          relief_m, view.heights.low_m, view.heights.high_m, view.contour_m));
+  if (view.relief.exaggeration > 1.0) {
+    legend_note(legend,
+                fmt::format("Shading shows slopes {:g} times steeper.", view.relief.exaggeration));
+  }
+}
+
+void legend_start_and_end(Legend& legend, const PictureScene& scene) {
+  if (!ends_of(scene)) return;
+  add_start(legend.sheet, legend.page, legend_symbol(legend, "Start"), 0.0);
+  add_end(legend.sheet, legend.page, legend_symbol(legend, "End"));
+}
+
+void draw_map_frame(Sheet& sheet, Typeface& typeface, const Page& page, const MapView& view) {
+  frame_box(sheet, view.camera.view_px, std::max(1.0, std::round(page.px(1))), colours::kInkSoft);
+  const double foot = page.column.bottom();
+  draw_scale_bar(sheet, typeface, page, view.camera.px_per_m, page.px(230),
+                 {page.column.x, foot - page.px(24)});
+  draw_north_arrow(sheet, typeface, page, {page.column.right() - page.px(18), foot - page.px(22)},
+                   {0.0, -1.0});
+}
+
+}  // namespace headland

@@ -1,0 +1,45 @@
+// What both maps from above share: the ground, the field's lines, start and end.
+#pragma once
+
+#include <string>
+
+#include "render/coverage_classes.h"
+#include "render/page.h"
+#include "render/pictures.h"
+#include "render/terrain_surface.h"
+
+namespace headland {
+
+struct MapView {
+  MapCamera camera;
+  Relief relief;           // its exaggeration is of the shading alone
+  HeightRange heights;     // inside the field's extent
+  double contour_m = 0.0;  // 0: too level for contours
+};
+MapView map_view(const PictureScene& scene, const Page& page);
+
+// Shaded ground with contours and coverage, inside the map's window.
+void paint_map_ground(const PictureScene& scene, const Page& page, const MapView& view,
+                      const CoverageClasses& classes, const SurfaceLook& look, Rgba ground);
+
+// Boundary, hatched holes, obstacles.
+void draw_field_lines(Sheet& sheet, const PictureScene& scene, const Page& page,
+                      const MapView& view);
+
+// Where the run, or failing that the path, starts (triangle) and ends (square).
+void draw_start_and_end(Sheet& sheet, const PictureScene& scene, const Page& page,
+                        const MapView& view);
+
+// Legend entries of the two functions above, of what the field has.
+void legend_field(Legend& legend, const PictureScene& scene);
+void legend_relief(Legend& legend, const MapView& view);
+void legend_start_and_end(Legend& legend, const PictureScene& scene);
+
+// Frame of the map, scale bar, north arrow.
+void draw_map_frame(Sheet& sheet, Typeface& typeface, const Page& page, const MapView& view);
+
+// Pixels of a line in W.
+std::vector<Eigen::Vector3d> map_line(const MapView& view,
+                                      const std::vector<Eigen::Vector2d>& line_W);
+
+}  // namespace headland

@@ -1,0 +1,64 @@
+#include "render/mesh_file.h"
+
+#include <assimp/material.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <string>
+
+#include "terrains/input_error.h"
+
+namespace headland {
+namespace {
+
+Rgba diffuse_colour(const aiMaterial& material) {
+  aiColor3D colour(0.6F, 0.6F, 0.6F);
+  material.Get(AI_MATKEY_COLOR_DIFFUSE, colour);
+  const auto byte = [](float share) {
+    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
+  };
+  return {byte(colour.r), byte(colour.g), byte(colour.b)};
+}
+
+void append(Mesh& mesh, const aiMesh& part, Rgba colour) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (unsigned i = 0; i < part.mNumVertices; ++i) {
+    const aiVector3D& p = part.mVertices[i];
+    const aiVector3D& n = part.mNormals[i];
+    mesh.vertices.push_back({{p.x, p.y, p.z}, {n.x, n.y, n.z}, colour});
+  }
+  for (unsigned i = 0; i < part.mNumFaces; ++i) {
+    const aiFace& face = part.mFaces[i];
+    for (unsigned k = 0; k < face.mNumIndices; ++k) {
+      mesh.indices.push_back(first + face.mIndices[k]);
+    }
+  }
+}
+
+}  // namespace
+
+Mesh read_mesh(const std::filesystem::path& file) {
+  Assimp::Importer importer;
+  // Points and lines have no surface to draw.
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  const aiScene* scene = importer.ReadFile(
+      file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenNormals |
+                         aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices);
+  if (scene == nullptr) {
+    throw InputError(file.string(), "", "",
+                     std::string("no readable mesh: ") + importer.GetErrorString());
+  }
+  Mesh mesh;
+  for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
+    const aiMesh& part = *scene->mMeshes[i];
+    append(mesh, part, diffuse_colour(*scene->mMaterials[part.mMaterialIndex]));
+  }
+  if (mesh.indices.empty()) throw InputError(file.string(), "", "", "the mesh has no triangles");
+  return mesh;
+}
+
+}  // namespace headland

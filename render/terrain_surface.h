@@ -1,0 +1,54 @@
+// The terrain's surface on the picture: its light, its coverage, its contours.
+#pragma once
+
+#include "render/camera.h"
+#include "render/coverage_classes.h"
+#include "render/mesh.h"
+#include "render/palette.h"
+
+namespace headland {
+
+// From north-west, the way relief on maps is lit.
+Eigen::Vector3f sun_direction();
+
+struct SurfaceLook {
+  Rgba once;
+  Rgba twice;
+  Rgba thrice;
+  Rgba missed;
+  float shading = 0.8F;
+  float contour_step_D = 0.0F;  // 0: none
+  Rgba contour{60, 50, 40, 110};
+  // Ground farther than fade_to_m from the centre has the colour `fade`; 0: no fading.
+  Eigen::Vector2f fade_centre_W = Eigen::Vector2f::Zero();
+  float fade_from_m = 0.0F;
+  float fade_to_m = 0.0F;
+  Rgba fade;
+};
+
+// Coverage on the graphics side; an empty raster is no coverage anywhere.
+class SurfaceCoverage {
+ public:
+  explicit SurfaceCoverage(const CoverageClasses& classes);
+
+ private:
+  friend void paint_surface(const GlTriangles& surface, const Eigen::Matrix4f& clip,
+                            const SurfaceCoverage& coverage, const SurfaceLook& look);
+  Eigen::Vector2f origin_W_;
+  Eigen::Vector2f size_m_;
+  GlTexture texture_;
+};
+
+// Paints a relief_mesh through `clip` into the current viewport, with depth.
+void paint_surface(const GlTriangles& surface, const Eigen::Matrix4f& clip,
+                   const SurfaceCoverage& coverage, const SurfaceLook& look);
+
+// Paints solid bodies likewise, as seen from `eye_D`.
+void paint_solids(const GlTriangles& solids, const Eigen::Matrix4f& clip,
+                  const Eigen::Vector3d& eye_D);
+
+// Paints the shadow that a body casts on the plane through p_D with the given normal.
+void paint_shadow(const Mesh& body, const Eigen::Vector3d& p_D, const Eigen::Vector3d& normal_D,
+                  const Eigen::Matrix4f& clip);
+
+}  // namespace headland

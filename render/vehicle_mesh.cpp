@@ -1,0 +1,166 @@
+#include "render/vehicle_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "render/mesh_file.h"
+#include "terrains/input_error.h"
+
+namespace headland {
+namespace {
+
+using Point = Eigen::Vector3d;
+
+constexpr Rgba kTyre{44, 44, 46};
+constexpr Rgba kRim{222, 214, 188};
+constexpr Rgba kHub{120, 116, 108};
+constexpr Rgba kPlainBody{196, 70, 40};
+constexpr Rgba kFrame{58, 66, 76};
+constexpr Rgba kTool{150, 154, 158};
+
+Eigen::Isometry3d moved(const Point& p) { return Eigen::Isometry3d(Eigen::Translation3d(p)); }
+
+Mesh plain_body(const Body& body) {
+  const double front_m = body.length_m - body.rear_overhang_m;
+  return box_mesh({-body.rear_overhang_m, -0.5 * body.width_m, body.ground_clearance_m},
+                  {front_m, 0.5 * body.width_m, body.height_m}, kPlainBody);
+}
+
+// Axis along y, centre at the origin.
+Mesh wheel_mesh(const Axle& axle) {
+  const double r = axle.radius_m;
+  const double w = axle.width_m;
+  constexpr int kSides = 40;
+  const std::array<Eigen::Vector2d, 8> tyre = {{{0.56 * r, -0.36 * w},
+                                                {0.62 * r, -0.50 * w},
+                                                {0.86 * r, -0.50 * w},
+                                                {0.95 * r, -0.40 * w},
+                                                {0.95 * r, 0.40 * w},
+                                                {0.86 * r, 0.50 * w},
+                                                {0.62 * r, 0.50 * w},
+                                                {0.56 * r, 0.36 * w}}};
+  const std::array<Eigen::Vector2d, 4> rim = {
+      {{0.0, -0.20 * w}, {0.56 * r, -0.36 * w}, {0.56 * r, 0.36 * w}, {0.0, 0.20 * w}}};
+  const std::array<Eigen::Vector2d, 4> hub = {
+      {{0.0, -0.34 * w}, {0.20 * r, -0.34 * w}, {0.20 * r, 0.34 * w}, {0.0, 0.34 * w}}};
+  Mesh about_z = revolved_mesh(tyre, kSides, kTyre);
+  append(about_z, revolved_mesh(rim, kSides, kRim), Eigen::Isometry3d::Identity());
+  append(about_z, revolved_mesh(hub, kSides / 2, kHub), Eigen::Isometry3d::Identity());
+
+  Mesh wheel;
+  append(wheel, about_z,
+         Eigen::Isometry3d(Eigen::AngleAxisd(-0.5 * std::numbers::pi, Point::UnitX())));
+  // Lugs slant from the middle outwards, alternately to either side.
+  constexpr int kLugs = 32;
+  constexpr double kSlant_rad = 0.6;
+  const Mesh lug = box_mesh({-0.028 * r, 0.02 * w, 0.93 * r}, {0.028 * r, 0.55 * w, r},
+                            mix(kTyre, {90, 90, 90}, 0.35));
+  for (int k = 0; k < kLugs; ++k) {
+    const double side = k % 2 == 0 ? 0.0 : std::numbers::pi;
+    const double slant = k % 2 == 0 ? kSlant_rad : -kSlant_rad;
+    const Eigen::Isometry3d X(
+        Eigen::AngleAxisd(2.0 * std::numbers::pi * k / kLugs, Point::UnitY()) *
+        Eigen::AngleAxisd(side + slant, Point::UnitZ()));
+    append(wheel, lug, X);
+  }
+  return wheel;
+}
+
+// Of a front wheel `left_m` left of the centre line, so that all wheels roll about one centre.
+double ackermann_rad(double steer_rad, double wheelbase, double left_m) {
+  const double tangent = std::tan(steer_rad);
+  return std::atan2(wheelbase * tangent, wheelbase - left_m * tangent);
+}
+
+void append_wheels(Mesh& mesh, const Vehicle& vehicle, const RunSample& sample) {
+  for (std::size_t i = 0; i < sample.wheel_angle_rad.size(); ++i) {
+    const bool front = i >= 2;
+    const Axle& axle = front ? vehicle.front : vehicle.rear;
+    if (!(axle.radius_m > 0.0)) continue;
+    const double left_m = (i % 2 == 0 ? 0.5 : -0.5) * axle.track_m;
+    const double steer =
+        front ? ackermann_rad(sample.steer_rad, wheelbase_m(vehicle), left_m) : 0.0;
+    const Eigen::Isometry3d X = moved({axle.x_B_m, left_m, axle.radius_m}) *
+                                Eigen::AngleAxisd(steer, Point::UnitZ()) *
+                                Eigen::AngleAxisd(sample.wheel_angle_rad[i], Point::UnitY());
+    append(mesh, wheel_mesh(axle), X);
+  }
+}
+
+// Two cross bars with tools below, carried by two beams from the body.
+void append_implement(Mesh& mesh, const Vehicle& vehicle, bool down) {
+  const Implement& implement = vehicle.implement;
+  if (!(implement.working_width_m > 0.0)) return;
+  constexpr double kLift_m = 0.45;
+  constexpr double kBarHeight_m = 0.5;
+  constexpr double kBetweenBars_m = 0.55;
+  constexpr double kHalfBar_m = 0.05;
+  constexpr double kToolSpacing_m = 0.4;
+  const Eigen::Isometry3d X = moved({0.0, 0.0, down ? 0.0 : kLift_m});
+  const double half_m = 0.5 * implement.working_width_m;
+  const double x = implement.x_B_m;
+  const double outwards = x <= 0.0 ? -1.0 : 1.0;
+  const int tools = std::max(2, static_cast<int>(implement.working_width_m / kToolSpacing_m));
+  for (int bar = 0; bar < 2; ++bar) {
+    const double at = x - outwards * kBetweenBars_m * (bar - 0.5);
+    append(mesh,
+           box_mesh({at - kHalfBar_m, -half_m, kBarHeight_m - kHalfBar_m},
+                    {at + kHalfBar_m, half_m, kBarHeight_m + kHalfBar_m}, kFrame),
+           X);
+    for (int i = bar; i < tools; i += 2) {
+      const double y = half_m * (2.0 * (i + 0.5) / tools - 1.0);
+      append(mesh, bar_mesh({at, y, kBarHeight_m}, {at - 0.12, y, -0.02}, 0.025, kTool), X);
+    }
+  }
+  const double hitch = x <= 0.0 ? -0.5 * vehicle.body.rear_overhang_m
+                                : vehicle.body.length_m - vehicle.body.rear_overhang_m;
+  const double beam_half_m = std::min(0.35, 0.3 * vehicle.body.width_m);
+  for (const double y : {-beam_half_m, beam_half_m}) {
+    const double rise = down ? 0.0 : kLift_m;
+    append(mesh,
+           bar_mesh({hitch, y, kBarHeight_m + 0.15},
+                    {x + outwards * 0.5 * kBetweenBars_m, y, kBarHeight_m + rise}, 0.045, kFrame),
+           Eigen::Isometry3d::Identity());
+  }
+  for (const double y : {-0.98 * half_m, 0.98 * half_m, -beam_half_m, beam_half_m}) {
+    append(mesh,
+           bar_mesh({x - 0.5 * kBetweenBars_m, y, kBarHeight_m},
+                    {x + 0.5 * kBetweenBars_m, y, kBarHeight_m}, 0.04, kFrame),
+           X);
+  }
+}
+
+}  // namespace
+
+VehicleMesh vehicle_mesh(const Vehicle& vehicle, const RunSample& sample) {
+  VehicleMesh out;
+  if (vehicle.mesh_file.empty()) {
+    out.note = "no mesh: plain box";
+    out.mesh = plain_body(vehicle.body);
+  } else {
+    try {
+      out.mesh = read_mesh(vehicle.mesh_file);
+    } catch (const InputError&) {
+      out.note = vehicle.mesh_file.filename().string() + " cannot be read: plain box";
+      out.mesh = plain_body(vehicle.body);
+    }
+  }
+  append_wheels(out.mesh, vehicle, sample);
+  append_implement(out.mesh, vehicle, sample.implement_down);
+  return out;
+}
+
+Eigen::Isometry3d pose_in_D(const RunSample& sample, const Relief& relief) {
+  const auto stretched = [&](double angle) {
+    return std::atan(relief.exaggeration * std::tan(angle));
+  };
+  const Point p_D(sample.p_WB.x(), sample.p_WB.y(),
+                  (sample.p_WB.z() - relief.base_m) * relief.exaggeration);
+  return moved(p_D) * Eigen::AngleAxisd(sample.yaw_rad, Point::UnitZ()) *
+         Eigen::AngleAxisd(-stretched(sample.pitch_rad), Point::UnitY()) *
+         Eigen::AngleAxisd(stretched(sample.roll_rad), Point::UnitX());
+}
+
+}  // namespace headland

@@ -1,0 +1,26 @@
+// A vehicle's body: its mesh, wheels and implement.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+
+#include "render/mesh.h"
+#include "render/relief.h"
+#include "sim/run_record.h"
+#include "vehicle_models/vehicle.h"
+
+namespace headland {
+
+struct VehicleMesh {
+  Mesh mesh;         // in frame B
+  std::string note;  // why the body is a plain box; empty when it is not
+};
+
+// Body from the vehicle's mesh file (a plain box of the hull's size when there is none or it
+// cannot be read), wheels turned and steered, implement lowered or raised as in the sample.
+VehicleMesh vehicle_mesh(const Vehicle& vehicle, const RunSample& sample);
+
+// Place and attitude of B in D. The attitude follows the stretched relief.
+Eigen::Isometry3d pose_in_D(const RunSample& sample, const Relief& relief);
+
+}  // namespace headland
