@@ -14,6 +14,8 @@ using Eigen::Vector2d;
 // that most poses are settled by the cell's distance alone.
 constexpr double kCellsAlong = 128.0;
 constexpr double kMinCell_m = 0.5;
+// Depths nearer than this are equal: the first one found, a corner of the hull, names the place.
+constexpr double kSameDepth_m = 1e-9;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -354,7 +356,7 @@ Overrun overrun(const FreeSpace& space, const Pose& pose) {
   const HullFrame frame(pose);
   const Box box = chassis_of(space.hull);
   const auto deepen = [&worst](double depth_m, const Vector2d& p_W, Limit limit) {
-    if (depth_m > worst.depth_m) worst = {depth_m, p_W, limit};
+    if (depth_m > worst.depth_m + kSameDepth_m) worst = {depth_m, p_W, limit};
   };
   for (const Vector2d& corner : corners_of(box)) {
     const Vector2d p_W = frame.world(corner);

@@ -27,6 +27,9 @@ constexpr double kSteeringChangeCost = 0.1;
 constexpr double kNearGoal = 8.0;
 // A closing curve is tried at every node near the goal and at every so-manieth elsewhere.
 constexpr int kTryEvery = 20;
+// Weighs the way still to go: routes may cost up to this factor more than the best, and are found
+// in a fraction of the nodes.
+constexpr double kGreed = 1.5;
 constexpr double kGuideCellsAlong = 256.0;
 constexpr double kMinGuideCell_m = 0.5;
 
@@ -137,7 +140,7 @@ double to_go_m(const Search& search, const Pose& pose) {
 void reach(Search& search, Node node) {
   const double to_go = to_go_m(search, node.pose);
   if (to_go == std::numeric_limits<double>::max()) return;
-  const double total_m = node.cost_m + to_go;
+  const double total_m = node.cost_m + kGreed * to_go;
   const auto [entry, is_new] = search.at_cell.try_emplace(key_of(search, node), 0);
   if (!is_new) {
     const Node& known = search.nodes[static_cast<std::size_t>(entry->second)];
@@ -241,7 +244,7 @@ std::optional<std::vector<Arc>> find_route(const FreeSpace& space, const Pose& f
     if (node.closed || search.at_cell[key_of(search, node)] != reached.index) continue;
     node.closed = true;
     ++count;
-    const bool near = reached.cost - node.cost_m < kNearGoal * options.radius_m;
+    const bool near = reached.cost - node.cost_m < kGreed * kNearGoal * options.radius_m;
     if (near || count % kTryEvery == 1) {
       const auto closing = reeds_shepp(node.pose, to, options.radius_m);
       if (closing && node.cost_m + closing->cost_m < best_m &&

@@ -17,10 +17,10 @@ struct RouteOptions {
 
 // Hybrid A* (Dolgov, Thrun, Montemerlo and Diebel 2010): a search over position, heading and gear
 // whose steps are arcs, guided by the longer of the Reeds-Shepp length and a grid's shortest way
-// around the limits, closed by a Reeds-Shepp curve as soon as one fits, then shortened where a
-// closed-form turn saves something. Deviation: the grid guides with a disc of the hull's half
-// width. None when there is no way or `max_nodes` were not enough. `expanded` (may be null) counts
-// the nodes.
+// around the limits, closed by a Reeds-Shepp curve that fits, then shortened where a closed-form
+// turn saves something. Deviations: the grid guides with a disc of the hull's half width, and the
+// way to go is weighed so that far fewer nodes are needed (not the best route, a good one). None
+// when there is no way or `max_nodes` were not enough. `expanded` (may be null) counts the nodes.
 std::optional<std::vector<Arc>> find_route(const FreeSpace& space, const Pose& from, const Pose& to,
                                            const RouteOptions& options, int* expanded);
 

@@ -31,15 +31,6 @@ double sign_of(Gear gear) { return gear == Gear::kForward ? 1.0 : -1.0; }
 
 char letter_of(double side) { return side > 0.0 ? 'L' : (side < 0.0 ? 'R' : 'S'); }
 
-std::string word_of(const std::vector<Arc>& arcs) {
-  std::string word;
-  for (const Arc& arc : arcs) {
-    word += letter_of(arc.curvature_per_m);
-    if (arc.gear == Gear::kReverse) word += '\'';
-  }
-  return word;
-}
-
 // The arc on `side` (+1 left) that turns the body from one heading to the other in `gear`.
 Arc turning_arc(double from_rad, double to_rad, double side, Gear gear, double radius_m) {
   double angle_rad = side * sign_of(gear) * (to_rad - from_rad);
@@ -55,11 +46,8 @@ std::optional<Turn> checked(const Pose& from, const Pose& to, std::vector<Arc> a
       !(std::abs(wrap_angle(end.heading_rad - to.heading_rad)) < kEndTolerance)) {
     return std::nullopt;
   }
-  Turn turn;
-  turn.word = word_of(arcs);
-  turn.cost_m = cost_m(arcs);
-  turn.arcs = std::move(arcs);
-  return turn;
+  const double cost = cost_m(arcs);
+  return Turn{std::move(arcs), cost};
 }
 
 Eigen::Vector2d circle_centre(const Pose& pose, double side, double radius_m) {
@@ -143,13 +131,40 @@ void sort_by_cost(std::vector<Turn>& found) {
 
 void keep_distinct(std::vector<Turn>& found) {
   sort_by_cost(found);
-  const auto same = [](const Turn& a, const Turn& b) {
-    return a.word == b.word && std::abs(a.cost_m - b.cost_m) < kEndTolerance;
+  const auto same_arc = [](const Arc& a, const Arc& b) {
+    return a.gear == b.gear && std::abs(a.curvature_per_m - b.curvature_per_m) < kZeroLength_m &&
+           std::abs(a.length_m - b.length_m) < kEndTolerance;
+  };
+  const auto same = [&](const Turn& a, const Turn& b) {
+    return std::equal(a.arcs.begin(), a.arcs.end(), b.arcs.begin(), b.arcs.end(), same_arc);
   };
   found.erase(std::unique(found.begin(), found.end(), same), found.end());
 }
 
+void add_closed_forms(const Pose& from, const Pose& to, double radius_m, std::vector<Turn>& found) {
+  for (const Gears& gears : kGears) {
+    add_with_line(from, to, radius_m, gears, found);
+    add_with_circle(from, to, radius_m, gears, found);
+  }
+}
+
+// None, some fractions of the radius, and what brings this end level with the other one.
+std::vector<double> run_outs_m(double level_m, double radius_m) {
+  std::vector<double> lengths_m = {0.0, 0.5 * radius_m, radius_m, 2.0 * radius_m};
+  if (level_m > 0.0 && level_m < kMaxLevelling * radius_m) lengths_m.push_back(level_m);
+  return lengths_m;
+}
+
 }  // namespace
+
+std::string word_of(const std::vector<Arc>& arcs) {
+  std::string word;
+  for (const Arc& arc : arcs) {
+    word += letter_of(arc.curvature_per_m);
+    if (arc.gear == Gear::kReverse) word += '\'';
+  }
+  return word;
+}
 
 double cost_m(const std::vector<Arc>& arcs) {
   return length_m(arcs) + (kReverseMetreCost - 1.0) * reverse_length_m(arcs) +
@@ -176,34 +191,29 @@ double reeds_shepp_length_m(const Pose& from, const Pose& to, double radius_m) {
 
 std::vector<Turn> turns(const Pose& from, const Pose& to, double radius_m) {
   std::vector<Turn> found;
-  for (const Gears& gears : kGears) {
-    add_with_line(from, to, radius_m, gears, found);
-    add_with_circle(from, to, radius_m, gears, found);
-  }
+  add_closed_forms(from, to, radius_m, found);
   if (auto turn = reeds_shepp(from, to, radius_m)) found.push_back(std::move(*turn));
   keep_distinct(found);
   return found;
 }
 
 std::vector<Turn> turns_with_run_outs(const Pose& from, const Pose& to, double radius_m) {
-  // Level with the other end, or some fraction of the radius beyond.
-  const double behind_m = direction_of(from.heading_rad).dot(to.p_W - from.p_W);
-  const double ahead_m = direction_of(to.heading_rad).dot(to.p_W - from.p_W);
-  const std::array<double, 5> before_m = {0.0, 0.5 * radius_m, radius_m, 2.0 * radius_m,
-                                          std::clamp(behind_m, 0.0, kMaxLevelling * radius_m)};
-  const std::array<double, 5> after_m = {0.0, 0.5 * radius_m, radius_m, 2.0 * radius_m,
-                                         std::clamp(ahead_m, 0.0, kMaxLevelling * radius_m)};
-  std::vector<Turn> found;
-  for (const double out_m : before_m) {
-    for (const double in_m : after_m) {
+  const double level_out_m = direction_of(from.heading_rad).dot(to.p_W - from.p_W);
+  const double level_in_m = direction_of(to.heading_rad).dot(to.p_W - from.p_W);
+  std::vector<Turn> found = turns(from, to, radius_m);
+  std::vector<Turn> between;
+  for (const double out_m : run_outs_m(level_out_m, radius_m)) {
+    for (const double in_m : run_outs_m(level_in_m, radius_m)) {
       const Pose start = pose_along(from, {out_m, 0.0, F}, out_m);
       const Pose finish = pose_along(to, {in_m, 0.0, B}, in_m);
-      for (const Turn& turn : turns(start, finish, radius_m)) {
-        std::vector<Arc> arcs = {{out_m, 0.0, F}};
-        arcs.insert(arcs.end(), turn.arcs.begin(), turn.arcs.end());
-        arcs.push_back({in_m, 0.0, F});
-        std::erase_if(arcs, [](const Arc& arc) { return arc.length_m < kZeroLength_m; });
-        found.push_back({turn.word, arcs, cost_m(arcs)});
+      between.clear();
+      add_closed_forms(start, finish, radius_m, between);
+      for (Turn& turn : between) {
+        std::vector<Arc>& arcs = turn.arcs;
+        if (in_m > 0.0) arcs.push_back({in_m, 0.0, F});
+        if (out_m > 0.0) arcs.insert(arcs.begin(), {out_m, 0.0, F});
+        turn.cost_m = cost_m(arcs);
+        found.push_back(std::move(turn));
       }
     }
   }

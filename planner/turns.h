@@ -14,16 +14,17 @@ namespace headland {
 inline constexpr double kReverseMetreCost = 2.0;
 inline constexpr double kCuspCost_m = 5.0;
 
-// `word` names the curve: L, R, S for left, right, straight, with ' after what is reversed.
-// Between opposite neighbouring swaths LSL is the U turn, RLR and LRL the omega (bulb) turn and
-// LS'L the three-point (fishtail) turn.
 struct Turn {
-  std::string word;
   std::vector<Arc> arcs;
   double cost_m = 0.0;
 };
 
 double cost_m(const std::vector<Arc>& arcs);
+
+// The curve's name: L, R, S for left, right, straight, with ' after what is reversed. Between
+// opposite neighbouring swaths LSL is the U turn, RLR and LRL the omega (bulb) turn and LS'L the
+// three-point (fishtail) turn.
+std::string word_of(const std::vector<Arc>& arcs);
 
 // Every turn of these families that exists, cheapest first, each ending within 1e-6 m and rad of
 // `to`: arc-line-arc and arc-arc-arc with the gears fff (all Dubins curves), frf, rff and ffr, and
@@ -34,9 +35,8 @@ std::vector<Turn> turns(const Pose& from, const Pose& to, double radius_m);
 std::optional<Turn> reeds_shepp(const Pose& from, const Pose& to, double radius_m);
 double reeds_shepp_length_m(const Pose& from, const Pose& to, double radius_m);
 
-// Turns with straight run-outs tried before and after them, cheapest first. For swath ends that
-// are not level with each other, or boundaries askew to the swaths. Run-outs that are zero are
-// included.
+// Turns with straight run-outs before and after them, cheapest first, those without included. For
+// swath ends that are not level with each other, or boundaries askew to the swaths.
 std::vector<Turn> turns_with_run_outs(const Pose& from, const Pose& to, double radius_m);
 
 }  // namespace headland

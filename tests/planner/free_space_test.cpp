@@ -1,0 +1,163 @@
+#include "planner/free_space.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/planner/made_up_vehicle.h"
+
+namespace headland {
+namespace {
+
+using Eigen::Vector2d;
+constexpr double kPi = std::numbers::pi;
+constexpr double kRounding_m = 1e-9;
+
+Field wavy_field_with_hole() {
+  Field field;
+  const int count = 200;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2.0 * kPi * i / count;
+    const double radius_m = 60.0 + 4.0 * std::sin(11.0 * angle);
+    field.boundary.emplace_back(radius_m * std::cos(angle), 0.7 * radius_m * std::sin(angle));
+  }
+  field.holes.push_back({{-5.0, -5.0}, {-8.0, 6.0}, {4.0, 9.0}, {9.0, -2.0}});  // clockwise
+  field.obstacles.push_back({ObstacleKind::kTree, {30.0, 5.0}, 0.4, 5.0});
+  field.obstacles.push_back({ObstacleKind::kPole, {-30.0, -4.0}, 0.1, 5.0});
+  return field;
+}
+
+Hull hull() { return hull_of(made_up_vehicle(2.6, 6.0)); }
+
+double to_segment_m(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
+  const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (p - a - t * (b - a)).norm();
+}
+
+// By looking at points all over the hull, closely along its rim: distance to what is nearest,
+// negative as soon as one point is out. Knows nothing of grids, boxes or clipping.
+double sampled_clearance_m(const Field& field, const Hull& hull, const Pose& pose, double step_m) {
+  double least_m = 1e9;
+  const auto world = [&](double x, double y) -> Vector2d {
+    return pose.p_W + x * direction_of(pose.heading_rad) + y * left_of(pose.heading_rad);
+  };
+  const int along = static_cast<int>((hull.front_m + hull.rear_m) / step_m);
+  const int across = static_cast<int>(2.0 * hull.half_width_m / step_m);
+  for (int i = 0; i <= along; ++i) {
+    for (int j = 0; j <= across; ++j) {
+      const bool rim = i == 0 || j == 0 || i == along || j == across;
+      if (!rim && (i % 4 != 0 || j % 4 != 0)) continue;
+      const Vector2d p = world(-hull.rear_m + (hull.front_m + hull.rear_m) * i / along,
+                               -hull.half_width_m + 2.0 * hull.half_width_m * j / across);
+      least_m = std::min(least_m, field_clearance_m(field, p));
+      for (const Obstacle& obstacle : field.obstacles) {
+        least_m = std::min(least_m, (obstacle.p_W - p).norm() - obstacle.radius_m);
+      }
+    }
+  }
+  for (const Obstacle& obstacle : field.obstacles) {
+    least_m =
+        std::min(least_m, to_segment_m(obstacle.p_W, world(hull.bar_x_m, -hull.bar_half_width_m),
+                                       world(hull.bar_x_m, hull.bar_half_width_m)) -
+                              obstacle.radius_m);
+  }
+  return least_m;
+}
+
+Pose random_pose() {
+  const auto number = [](int low, int high) { return *rc::gen::inRange(low, high) * 1e-3; };
+  return {{number(-70000, 70000), number(-52000, 52000)}, number(-3141, 3142)};
+}
+
+RC_GTEST_PROP(FreeSpace, AgreesWithSamplingTheHull, ()) {
+  static const Field field = wavy_field_with_hole();
+  static const FreeSpace space = free_space(field, hull());
+  const double step_m = 0.1;
+  for (int i = 0; i < 20; ++i) {
+    const Pose pose = random_pose();
+    const double clearance_m = *rc::gen::inRange(0, 2000) * 1e-3;
+    const double sampled_m = sampled_clearance_m(field, hull(), pose, step_m);
+    // Sampling misses what lies between its points, by at most half a step.
+    if (fits(space, pose, clearance_m)) RC_ASSERT(sampled_m > clearance_m - kRounding_m);
+    if (!fits(space, pose, clearance_m)) RC_ASSERT(sampled_m < clearance_m + 0.5 * step_m);
+    const double safe_m = safe_distance_m(space, pose);
+    if (safe_m > 0.0) RC_ASSERT(sampled_m >= safe_m - 1e-4);  // float distances of the cells
+    const Overrun depth = overrun(space, pose);
+    RC_ASSERT((depth.depth_m > 0.0) == !fits(space, pose, 0.0));
+    if (sampled_m < -step_m) RC_ASSERT(depth.depth_m > 0.0);
+  }
+}
+
+RC_GTEST_PROP(FreeSpace, DiscAgreesWithExactDistance, ()) {
+  static const Field field = wavy_field_with_hole();
+  static const FreeSpace space = free_space(field, hull());
+  const Vector2d p_W = random_pose().p_W;
+  const double radius_m = *rc::gen::inRange(1, 5000) * 1e-3;
+  double exact_m = field_clearance_m(field, p_W);
+  for (const Obstacle& obstacle : field.obstacles) {
+    exact_m = std::min(exact_m, (obstacle.p_W - p_W).norm() - obstacle.radius_m);
+  }
+  RC_ASSERT(disc_fits(space, p_W, radius_m) == (exact_m > radius_m));
+}
+
+Field square() {
+  Field field;
+  field.boundary = {{0.0, 0.0}, {50.0, 0.0}, {50.0, 50.0}, {0.0, 50.0}};
+  return field;
+}
+
+TEST(FreeSpace, OverrunIsTheDepthOfTheFrontBeyondTheBoundary) {
+  const FreeSpace space = free_space(square(), hull());
+  const Overrun worst = overrun(space, {{20.0, 50.0 - hull().front_m + 0.3}, kPi / 2.0});
+  EXPECT_NEAR(worst.depth_m, 0.3, kRounding_m);
+  EXPECT_EQ(worst.limit, Limit::kBoundary);
+  EXPECT_NEAR(worst.p_W.y(), 50.3, kRounding_m);
+  EXPECT_EQ(overrun(space, {{20.0, 50.0 - hull().front_m - 0.001}, kPi / 2.0}).depth_m, 0.0);
+}
+
+TEST(FreeSpace, FarOutsideIsAnOverrunToo) {
+  const FreeSpace space = free_space(square(), hull());
+  const Pose pose{{-100.0, 20.0}, 0.0};
+  EXPECT_FALSE(fits(space, pose, 0.0));
+  EXPECT_NEAR(overrun(space, pose).depth_m, 100.0 + hull().rear_m, kRounding_m);
+}
+
+TEST(FreeSpace, RaisedImplementMayHangOverTheBoundaryButNotOverATree) {
+  Field field = square();
+  const double beside_m = hull().half_width_m + 0.5;  // under the 6 m bar, beside the hull
+  const Pose along_edge{{beside_m, 25.0}, kPi / 2.0};
+  EXPECT_TRUE(fits(free_space(field, hull()), along_edge, 0.1));
+  field.obstacles.push_back(
+      {ObstacleKind::kTree, {beside_m + 2.5, 25.0 + hull().bar_x_m}, 0.2, 5.0});
+  const FreeSpace space = free_space(field, hull());
+  EXPECT_FALSE(fits(space, along_edge, 0.1));
+  EXPECT_EQ(overrun(space, along_edge).limit, Limit::kObstacle);
+  EXPECT_TRUE(fits(space, {{beside_m, 27.0}, kPi / 2.0}, 0.1)) << "the bar is past the tree";
+}
+
+TEST(FreeSpace, ThinHoleAcrossTheHullIsFound) {
+  Field field = square();
+  field.holes.push_back({{10.0, 25.0}, {10.0, 25.1}, {40.0, 25.1}, {40.0, 25.0}});
+  const FreeSpace space = free_space(field, hull());
+  const Pose over{{25.0, 24.5}, kPi / 2.0};
+  EXPECT_FALSE(fits(space, over, 0.0));
+  EXPECT_EQ(overrun(space, over).limit, Limit::kHole);
+  EXPECT_GT(overrun(space, over).depth_m, 0.5);
+}
+
+TEST(FreeSpace, RayMeetsTheFirstEdgeAhead) {
+  Field field = square();
+  field.holes.push_back({{20.0, 20.0}, {20.0, 30.0}, {30.0, 30.0}, {30.0, 20.0}});
+  const FreeSpace space = free_space(field, hull());
+  const EdgeAhead hole = edge_ahead(space, {5.0, 25.0}, 0.0);
+  EXPECT_NEAR(hole.distance_m, 15.0, kRounding_m);
+  EXPECT_NEAR((hole.outward - Vector2d(1.0, 0.0)).norm(), 0.0, kRounding_m);
+  const EdgeAhead boundary = edge_ahead(space, {5.0, 25.0}, kPi);
+  EXPECT_NEAR(boundary.distance_m, 5.0, kRounding_m);
+  EXPECT_NEAR((boundary.outward - Vector2d(-1.0, 0.0)).norm(), 0.0, kRounding_m);
+}
+
+}  // namespace
+}  // namespace headland
