@@ -32,6 +32,7 @@ inline constexpr int kQuadrantSegments = 24;
 // A mitre reaches at most this many distances beyond its corner; sharper corners are bevelled.
 inline constexpr double kMitreLimit = 5.0;
 
+// Results of set operations have their points on a grid of 1e-6 m.
 // All functions below throw InputError when GEOS cannot work with the rings (they cross
 // themselves).
 

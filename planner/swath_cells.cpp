@@ -267,6 +267,7 @@ double transit_m(const SwathGrid& grid, const std::vector<SwathCell>& cells,
                  const std::vector<CellVisit>& order,
                  const std::optional<Eigen::Vector2d>& start_W) {
   std::vector<Stop> stops;
+  stops.reserve(order.size());
   for (const CellVisit& visit : order) {
     stops.emplace_back(visit.cell,
                        (visit.from_last_line ? 1U : 0U) + (visit.from_far_end ? 2U : 0U));

@@ -172,8 +172,8 @@ std::vector<double> directions_to_try(const Field& field) {
     if (!tried[bin]) directions.push_back(direction_rad);
     tried[bin] = true;
   }
-  for (double grid_deg = kDirectionGrid_deg; grid_deg < 180.0; grid_deg += kDirectionGrid_deg) {
-    directions.push_back(std::fmod(longest_rad + grid_deg * pi / 180.0, pi));
+  for (int step = 1; step * kDirectionGrid_deg < 180.0; ++step) {
+    directions.push_back(std::fmod(longest_rad + step * kDirectionGrid_deg * pi / 180.0, pi));
   }
   return directions;
 }
