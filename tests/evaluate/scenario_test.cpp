@@ -1,0 +1,243 @@
+#include "evaluate/scenario.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "evaluate/scenario_keys.h"
+#include "terrains/input_error.h"
+#include "vehicle_models/vehicle_loader.h"
+
+namespace headland {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class ScenarioTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  Scenario read(const std::string& yaml, std::optional<std::uint64_t> seed = std::nullopt) {
+    std::ofstream(file_) << yaml;
+    return read_scenario(file_, seed);
+  }
+
+  std::string refusal(const std::string& yaml) {
+    try {
+      read(yaml);
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+      EXPECT_THAT(error.what(), HasSubstr(file_.string()));
+      return error.what();
+    }
+    return "(accepted)";
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::path(::testing::TempDir()) /
+      ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  const std::filesystem::path file_ = folder_ / "field.yaml";
+};
+
+const std::string kField = "field: {boundary: [[0, 0], [60, 0], [60, 40], [0, 40]]}\n";
+const std::string kLeast = kField + "vehicle: transplanter\n";
+
+TEST_F(ScenarioTest, NeedsOnlyAFieldAndAVehicle) {
+  const Scenario scenario = read(kLeast);
+  EXPECT_EQ(scenario.name, "field");
+  EXPECT_EQ(scenario.field.boundary.size(), 4U);
+  EXPECT_EQ(scenario.terrain.generator, "flat");
+  EXPECT_EQ(scenario.soil, "firm");
+  EXPECT_EQ(scenario.working_width_m, load_vehicle("transplanter").implement.working_width_m);
+  EXPECT_EQ(scenario.simulation.rate_hz, SimulationOptions{}.rate_hz);
+}
+
+TEST_F(ScenarioTest, ReadsEveryKindOfValue) {
+  const Scenario scenario = read(R"(name: north
+seed: 18446744073709551615
+field:
+  boundary: [[0, 0], [60, 0], [60, 40], [0, 40]]
+  holes: [[[10, 10], [12, 10], [12, 12]]]
+  obstacles: [{kind: rock, at: [30, 20], radius_m: 1.5, height_m: 0.8}]
+  entry: [1, +2.5]
+terrain: {generator: rolling, amplitude_m: 2, cell_m: 0.5, micro_relief: {rms_m: 0.03}, seed: 9}
+vehicle: transplanter
+implement: {working_width_m: 1.5}
+path: {allow_overrun: true, clearance_m: 0.4}
+verdict: {slip_max: {fail: 0.25}}
+)");
+  EXPECT_EQ(scenario.name, "north");
+  EXPECT_EQ(scenario.seed, 18446744073709551615U);
+  ASSERT_EQ(scenario.field.holes.size(), 1U);
+  EXPECT_EQ(scenario.field.holes[0].size(), 3U);
+  ASSERT_EQ(scenario.field.obstacles.size(), 1U);
+  EXPECT_EQ(scenario.field.obstacles[0].kind, ObstacleKind::kRock);
+  EXPECT_EQ(scenario.field.obstacles[0].radius_m, 1.5);
+  EXPECT_EQ(scenario.field.entry, Eigen::Vector2d(1.0, 2.5));
+  EXPECT_EQ(number(scenario.terrain.parameters, "amplitude_m"), 2.0);
+  EXPECT_EQ(scenario.terrain.micro_relief.rms_m, 0.03);
+  EXPECT_EQ(scenario.terrain.seed, 9U);
+  EXPECT_EQ(scenario.working_width_m, 1.5);
+  EXPECT_TRUE(scenario.path.allow_overrun);
+  EXPECT_EQ(scenario.path.clearance_m, 0.4);
+  EXPECT_EQ(scenario.verdict.slip_max.fail, 0.25);
+  EXPECT_EQ(scenario.verdict.slip_max.warn, VerdictLimits{}.slip_max.warn);
+}
+
+TEST_F(ScenarioTest, TerrainFollowsTheSeedUnlessItHasItsOwn) {
+  EXPECT_EQ(read(kLeast + "seed: 5\n").terrain.seed, 5U);
+  EXPECT_EQ(read(kLeast + "seed: 5\n", 6).terrain.seed, 6U);
+  EXPECT_EQ(read(kLeast + "seed: 5\nterrain: {seed: 2}\n", 6).terrain.seed, 2U);
+  EXPECT_EQ(read(kLeast + "seed: 5\n", 6).seed, 6U);
+}
+
+TEST_F(ScenarioTest, ReadsBackWhatItWrote) {
+  const Scenario first = read(R"(name: "two: words"
+field:
+  boundary: [[0.1, 0], [60, -1e-3], [60, 40], [0, 40]]
+  holes: [[[10, 10], [12, 10], [12, 12]]]
+  obstacles: [{at: [30, 20]}, {kind: pole, at: [31, 21]}]
+  entry: [1, 2]
+terrain: {generator: rolling, wavelength_m: 80, micro_relief: {rms_m: 0.01}}
+vehicle: transplanter
+verdict: {coverage_ratio_min: {warn: 0.9, fail: 0.8}}
+seed: 12345678901234567890
+)");
+  const std::string written = scenario_yaml(first);
+  const Scenario second = read(written);
+  EXPECT_EQ(scenario_yaml(second), written);
+  EXPECT_EQ(second.name, "two: words");
+  EXPECT_EQ(second.field.boundary, first.field.boundary);
+  EXPECT_EQ(second.field.holes, first.field.holes);
+  EXPECT_EQ(second.seed, first.seed);
+  EXPECT_EQ(second.terrain.parameters, first.terrain.parameters);
+}
+
+TEST_F(ScenarioTest, WritesEveryNumberAndThreshold) {
+  const std::string written = scenario_yaml(read(kLeast));
+  for (const NumberKey& key : number_keys()) {
+    EXPECT_THAT(written, HasSubstr(std::string(key.path.substr(key.path.rfind('.') + 1)) + ": "));
+  }
+  for (const LimitKey& key : limit_keys()) {
+    EXPECT_THAT(written, HasSubstr(std::string(key.path.substr(key.path.rfind('.') + 1)) + ": {"));
+  }
+}
+
+TEST_F(ScenarioTest, FilePathsStartAtTheScenarioAndBecomeAbsolute) {
+  std::ofstream(folder_ / "boundary.geojson") << "{}";
+  const Scenario scenario = read("field: {file: boundary.geojson}\nvehicle: transplanter\n");
+  EXPECT_TRUE(scenario.field.file.is_absolute());
+  EXPECT_TRUE(std::filesystem::equivalent(scenario.field.file, folder_ / "boundary.geojson"));
+  EXPECT_THAT(scenario_yaml(scenario), HasSubstr(scenario.field.file.string()));
+}
+
+TEST_F(ScenarioTest, EveryKeyStandsInTheDocumentation) {
+  std::ifstream stream(std::string(HEADLAND_SOURCE_DIR) + "/docs/scenario.md");
+  std::stringstream page;
+  page << stream.rdbuf();
+  for (const std::string& path : scenario_key_paths()) {
+    if (path.ends_with(".warn") || path.ends_with(".fail")) continue;  // told once for all
+    EXPECT_THAT(page.str(), HasSubstr("`" + path + "`"));
+  }
+}
+
+TEST_F(ScenarioTest, TheExamplesAreRead) {
+  for (const char* name : {"demo.yaml", "real_field.yaml"}) {
+    const auto file = std::filesystem::path(HEADLAND_SOURCE_DIR) / "examples" / name;
+    EXPECT_NO_THROW(read_scenario(file)) << name;
+  }
+}
+
+TEST_F(ScenarioTest, RefusesMissingAndMalformedFiles) {
+  EXPECT_THAT(
+      [&] { read_scenario(folder_ / "none.yaml"); },
+      ::testing::ThrowsMessage<InputError>(AllOf(HasSubstr("none.yaml"), HasSubstr("No such"))));
+  EXPECT_THAT([&] { read_scenario(folder_); },
+              ::testing::ThrowsMessage<InputError>(HasSubstr("is a folder")));
+  EXPECT_THAT(refusal("name: a\nfield: [1, 2\nvehicle: b\n"),
+              AllOf(HasSubstr("line "), HasSubstr("malformed YAML")));
+  EXPECT_THAT(refusal(""), HasSubstr("a mapping"));
+  EXPECT_THAT(refusal("- 1\n- 2\n"), HasSubstr("a mapping"));
+}
+
+TEST_F(ScenarioTest, RefusesUnknownKeysWithTheNearestOne) {
+  EXPECT_THAT(refusal(kLeast + "sead: 1\n"),
+              AllOf(HasSubstr("line 3: sead"), HasSubstr("did you mean 'seed'?")));
+  EXPECT_THAT(refusal(kLeast + "simulation:\n  rate: 240\n"),
+              AllOf(HasSubstr("line 4: simulation.rate"), HasSubstr("'rate_hz'")));
+  EXPECT_THAT(refusal(kLeast + "verdict: {slip_max: {wran: 0.1}}\n"),
+              AllOf(HasSubstr("verdict.slip_max.wran"), HasSubstr("'warn'")));
+  EXPECT_THAT(refusal(kLeast + "terrain: {generator: rolling, amplitude: 1}\n"),
+              HasSubstr("did you mean 'amplitude_m'?"));
+  EXPECT_THAT(refusal(kLeast + "planner: {name: boustrophedon, headland_pass: 1}\n"),
+              HasSubstr("did you mean 'headland_passes'?"));
+  EXPECT_THAT(refusal(kLeast + "seed: 1\nseed: 2\n"),
+              AllOf(HasSubstr("line 4: seed"), HasSubstr("given twice")));
+}
+
+TEST_F(ScenarioTest, RefusesMissingKeys) {
+  EXPECT_THAT(refusal(kField), AllOf(HasSubstr("vehicle"), HasSubstr("missing")));
+  EXPECT_THAT(refusal("vehicle: transplanter\n"), AllOf(HasSubstr("field"), HasSubstr("missing")));
+  EXPECT_THAT(refusal("field: {layer: a}\nvehicle: transplanter\n"), HasSubstr("either field.file"));
+  EXPECT_THAT(refusal("field:\n  boundary: [[0, 0], [1, 0], [0, 1]]\n  obstacles: [{kind: tree}]\n"
+                      "vehicle: transplanter\n"),
+              AllOf(HasSubstr("line 3: field.obstacles.at"), HasSubstr("missing")));
+}
+
+TEST_F(ScenarioTest, RefusesValuesOutOfTheirRange) {
+  EXPECT_THAT(refusal(kLeast + "simulation: {rate_hz: .nan}\n"),
+              AllOf(HasSubstr("simulation.rate_hz"), HasSubstr("'.nan'"), HasSubstr("60 to 2000")));
+  EXPECT_THAT(refusal(kLeast + "implement: {working_width_m: -2}\n"),
+              AllOf(HasSubstr("'-2'"), HasSubstr("0.2 to 60")));
+  EXPECT_THAT(refusal(kLeast + "coverage: {cell_m: 1e9}\n"), HasSubstr("'1e9'"));
+  EXPECT_THAT(refusal(kLeast + "simulation: {soc_start: 80 %}\n"), HasSubstr("'80 %'"));
+  EXPECT_THAT(refusal(kLeast + "simulation: {record_hz: 500}\n"), HasSubstr("simulation.rate_hz"));
+  EXPECT_THAT(refusal(kLeast + "path: {allow_overrun: yes}\n"), HasSubstr("true or false"));
+  EXPECT_THAT(refusal(kLeast + "seed: -1\n"), HasSubstr("whole number"));
+  EXPECT_THAT(refusal(kLeast + "verdict: {slip_max: {warn: 0.5}}\n"),
+              AllOf(HasSubstr("verdict.slip_max"), HasSubstr("less is better")));
+  EXPECT_THAT(refusal(kLeast + "verdict: {coverage_ratio_min: {fail: 1}}\n"),
+              HasSubstr("more is better"));
+  EXPECT_THAT(refusal(kLeast + "terrain: {generator: rolling, wavelength_m: -3}\n"),
+              AllOf(HasSubstr("line 3: terrain.wavelength_m"), HasSubstr("-3")));
+}
+
+TEST_F(ScenarioTest, RefusesWhatIsNoCoordinate) {
+  EXPECT_THAT(refusal("field: {boundary: [[0, 0], [1, x], [0, 1]]}\nvehicle: transplanter\n"),
+              AllOf(HasSubstr("line 1: field.boundary"), HasSubstr("[x, y]")));
+  EXPECT_THAT(refusal("field: {boundary: [[0, 0], [1, .inf], [0, 1]]}\nvehicle: transplanter\n"),
+              HasSubstr("finite"));
+  EXPECT_THAT(refusal("field: {boundary: 7}\nvehicle: transplanter\n"), HasSubstr("'7'"));
+}
+
+TEST_F(ScenarioTest, RefusesUnknownNamesWithTheNearestOne) {
+  EXPECT_THAT(refusal(kField + "vehicle: transplantor\n"),
+              AllOf(HasSubstr("line 2: vehicle"), HasSubstr("did you mean 'transplanter'?")));
+  EXPECT_THAT(refusal(kLeast + "soil: frim\n"), HasSubstr("did you mean 'firm'?"));
+  EXPECT_THAT(refusal(kLeast + "terrain: {generator: roling}\n"),
+              HasSubstr("did you mean 'rolling'?"));
+  EXPECT_THAT(refusal(kLeast + "planner: {name: boustrofedon}\n"),
+              AllOf(HasSubstr("line 3"), HasSubstr("boustrophedon")));
+}
+
+TEST_F(ScenarioTest, RefusesFilesThatAreNotThereAndTwoSources) {
+  EXPECT_THAT(refusal("field: {file: none.geojson}\nvehicle: transplanter\n"),
+              AllOf(HasSubstr("line 1: field.file"), HasSubstr("no such file")));
+  EXPECT_THAT(refusal(kLeast + "terrain: {file: none.tif}\n"),
+              AllOf(HasSubstr("line 3: terrain.file"), HasSubstr("no such file")));
+  std::ofstream(folder_ / "dem.asc") << "x";
+  EXPECT_THAT(refusal(kLeast + "terrain: {file: dem.asc, generator: ramp}\n"),
+              HasSubstr("not both"));
+}
+
+}  // namespace
+}  // namespace headland
