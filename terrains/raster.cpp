@@ -6,6 +6,7 @@
 #include <gdal_utils.h>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -101,9 +102,11 @@ HeightBand open_raster(const std::filesystem::path& path, const std::string& crs
 
   CPLStringList options;
   for (const char* word : {"-of", "VRT", "-b", "1"}) options.AddString(word);
-  if ((band.GetMaskFlags() & GMF_ALPHA) != 0) {
+  // GDAL itself takes an alpha band for a mask only when it holds whole numbers.
+  for (GDALRasterBand* other : height.file->GetBands()) {
+    if (other->GetColorInterpretation() != GCI_AlphaBand) continue;
     options.AddString("-mask");
-    options.AddString(std::to_string(height.file->GetRasterCount()).c_str());
+    options.AddString(std::to_string(other->GetBand()).c_str());
   }
   const std::unique_ptr<GDALTranslateOptions, decltype(&GDALTranslateOptionsFree)> parsed(
       GDALTranslateOptionsNew(options.List(), nullptr), GDALTranslateOptionsFree);

@@ -189,9 +189,9 @@ void require_metres(const GivenTrack& track, const std::string& file) {
   Eigen::AlignedBox2d box;
   for (const GivenPoint& point : track.points) box.extend(point.given);
   const bool like_degrees = std::abs(box.center().x()) <= 180.0 &&
-                            std::abs(box.center().y()) <= 90.0 &&
+                            std::abs(box.center().y()) <= 90.0 && box.sizes().maxCoeff() > 0.0 &&
                             box.sizes().maxCoeff() < kLargestDegreeSpan;
-  if (track.points.size() >= 2 && like_degrees) {
+  if (like_degrees) {
     throw InputError(
         file, fmt::format("{} {}", track.counted, track.points.front().number),
         fmt::format("{}, {}", track.points.front().given.x(), track.points.front().given.y()),

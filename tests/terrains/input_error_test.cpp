@@ -1,0 +1,24 @@
+#include "terrains/input_error.h"
+
+#include <gtest/gtest.h>
+
+namespace headland {
+namespace {
+
+TEST(InputError, LineLeavesOutEmptyParts) {
+  EXPECT_STREQ(InputError("a.yaml", "soil", "mud", "one of firm, soft").what(),
+               "a.yaml: soil: 'mud': one of firm, soft");
+  EXPECT_STREQ(InputError("a.yaml", "", "", "no such file").what(), "a.yaml: no such file");
+}
+
+TEST(InputError, LineIsOneLine) {
+  EXPECT_STREQ(InputError("a", "", "", "first\nsecond").what(), "a: first second");
+}
+
+TEST(NearestName, IsTheOneWithFewestEdits) {
+  EXPECT_EQ(nearest_name("rollin", {"flat", "rolling", "bowl"}), "rolling");
+  EXPECT_EQ(nearest_name("anything", {}), "");
+}
+
+}  // namespace
+}  // namespace headland

@@ -1,0 +1,193 @@
+#include "terrains/track.h"
+
+#include <gmock/gmock.h>
+
+#include "refusal.h"
+#include "scratch_folder.h"
+#include "vector_writer.h"
+
+namespace headland {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const GeoFrame kLocal;
+const GeoFrame kOnEarth{.georeferenced = true, .latitude_deg = 44.0, .longitude_deg = -93.0};
+
+class TrackFile : public ScratchFolder {
+ protected:
+  Track csv(std::string_view content, const GeoFrame& frame = kLocal) const {
+    return read_track(written("track.csv", content), frame);
+  }
+  std::string refused(std::string_view content, const GeoFrame& frame = kLocal) const {
+    const std::string line = refusal([&] { csv(content, frame); });
+    const std::string file = path("track.csv").string();
+    EXPECT_TRUE(line == "accepted" || line.starts_with(file)) << line;
+    return line.starts_with(file) ? line.substr(file.size()) : line;
+  }
+};
+
+const std::vector<Eigen::Vector2d> kThreePoints = {{0.0, 0.0}, {5.5, 0.0}, {5.5, -3.25}};
+
+TEST_F(TrackFile, CsvIsReadInAllItsDialects) {
+  for (std::string_view content :
+       {"x,y\n0,0\n5.5,0\n5.5,-3.25\n",                       //
+        "\xEF\xBB\xBFx,y\r\n0,0\r\n5.5,0\r\n5.5,-3.25\r\n",   // byte order mark, CRLF
+        "X_M;Y_M\n0;0\n5,5;0\n5,5;-3,25",                     // decimal commas, no last newline
+        "y\tname\tx\n0\ta\t0\n0\tb\t+5.5\n-3.25\tc\t5.50\n",  // tabs, other order
+        "# from a tool\n\n\"easting\",\"northing\"\n\"0\", 0\n5.5 , 0\n\n5.5e0,-325e-2\n",
+        "x,y,note\n0,0,\"a, \"\"b\"\"\"\n5.5,0,\n5.5,-3.25,c\n"}) {
+    const Track track = csv(content);
+    EXPECT_EQ(track.points_W, kThreePoints) << content;
+    EXPECT_THAT(track.break_before, IsEmpty());
+  }
+}
+
+TEST_F(TrackFile, LongitudeAndLatitudeComeToTheLocalFrame) {
+  const Track track = csv("Latitude,Longitude\n44,-93\n44.001,-93\n", kOnEarth);
+  ASSERT_EQ(track.points_W.size(), 2U);
+  EXPECT_LT(track.points_W[0].norm(), 1e-6);
+  // A thousandth of a degree of latitude is 111.1 m there.
+  EXPECT_NEAR(track.points_W[1].y(), 111.1, 0.05);
+}
+
+TEST_F(TrackFile, FrameDecidesWhenBothAreThere) {
+  const std::string_view both = "x,y,lon,lat\n1,2,-93,44\n9,2,-93.0001,44\n";
+  EXPECT_EQ(csv(both).points_W[0], Eigen::Vector2d(1.0, 2.0));
+  EXPECT_LT(csv(both, kOnEarth).points_W[0].norm(), 1e-6);
+}
+
+TEST_F(TrackFile, GapsInTimeAreBreaks) {
+  // The usual interval is 2 s: 6 s are joined, 7 s are not, nor is a step back to another log.
+  const Track track =
+      csv("t_s,x,y\n0,0,0\n2,1,0\n4,2,0\n10,3,0\n12,4,0\n19,5,0\n21,6,0\n23,7,0\n1,8,0\n3,9,0\n");
+  EXPECT_EQ(track.points_W.size(), 10U);
+  EXPECT_THAT(track.break_before, ElementsAre(5U, 8U));
+}
+
+TEST_F(TrackFile, ClockSetBackByLittleIsNoBreak) {
+  EXPECT_THAT(csv("t,x,y\n0,0,0\n3,1,0\n6,2,0\n4,3,0\n7,4,0\n").break_before, IsEmpty());
+}
+
+TEST_F(TrackFile, RaisedImplementIsLeftOutAndBreaks) {
+  const Track track = csv("x,y,working\n0,0,1\n1,0,1\n2,0,0\n3,0,0\n4,0,1\n5,0,1\n");
+  EXPECT_EQ(track.points_W.size(), 4U);
+  EXPECT_THAT(track.break_before, ElementsAre(2U));
+  EXPECT_EQ(refused("x,y,working\n0,0,1\n1,0,2\n"),
+            ": line 3, working: '2': 0 (raised) or 1 (working)");
+}
+
+TEST_F(TrackFile, RepeatedPlacesAreMergedAndLonePointsLeftOut) {
+  EXPECT_EQ(csv("x,y\n0,0\n0,0\n5.5,0\n5.5,0.0005\n5.5,-3.25\n").points_W, kThreePoints);
+  const Track track = csv("t,x,y\n0,0,0\n1,1,0\n2,2,0\n50,9,9\n99,3,0\n100,4,0\n101,5,0\n");
+  EXPECT_EQ(track.points_W.size(), 6U);
+  EXPECT_THAT(track.break_before, ElementsAre(3U));
+}
+
+TEST_F(TrackFile, WaitingOnTheSpotIsNoBreak) {
+  const Track track = csv("t,x,y\n0,0,0\n1,1,0\n60,1,0\n61,2,0\n62,3,0\n");
+  EXPECT_EQ(track.points_W.size(), 4U);
+  EXPECT_THAT(track.break_before, IsEmpty());
+}
+
+TEST_F(TrackFile, BadCsvIsRefusedWithItsLine) {
+  EXPECT_EQ(refused("x,y\n0,0\n1,two\n"), ": line 3, y: 'two': a finite number");
+  EXPECT_EQ(refused("x,y\n0,0\nnan,2\n"), ": line 3, x: 'nan': a finite number");
+  EXPECT_EQ(refused("x,y\n0,0\n1e999,2\n"), ": line 3, x: '1e999': a finite number");
+  EXPECT_EQ(refused("x,y\n0,0\n,2\n"), ": line 3, x: a finite number");
+  EXPECT_EQ(refused("x,y\n0,0\n\n1\n"), ": line 4: '1 cells': 2 cells, as in the header on line 1");
+  EXPECT_EQ(refused("x,y\n0,0\n\"1,2\n"), ": line 3: a quote is never closed");
+  EXPECT_EQ(refused(""), ": is empty");
+  EXPECT_EQ(refused("a,b\n0,0\n"),
+            ": line 1: 'a, b': the header must name x and y (metres) or lon and lat (degrees)");
+}
+
+TEST_F(TrackFile, TooFewPointsAreRefused) {
+  EXPECT_EQ(refused("x,y\n1,1\n"),
+            ": '1 points': a track has at least two different points that follow each other");
+  EXPECT_THAT(refused("x,y\n1,1\n1,1\n"), HasSubstr("'2 points': a track has at least two"));
+}
+
+TEST_F(TrackFile, JumpOfKilometresIsRefusedNamingBothLines) {
+  EXPECT_EQ(refused("x,y\n0,0\n1,0\n5001,0\n"),
+            ": lines 3 and 4: '5000 m apart': neighbours at most 2000 m apart; take out the stray "
+            "point");
+}
+
+TEST_F(TrackFile, DegreesWithoutAPlaceOnTheEarthAreRefused) {
+  EXPECT_THAT(refused("lon,lat\n-93,44\n-93.001,44\n"),
+              HasSubstr("longitude and latitude need a field with a place on the earth"));
+  EXPECT_THAT(refused("x,y\n-93,44\n-93.001,44\n"),
+              HasSubstr("line 2: '-93, 44': looks like degrees"));
+}
+
+TEST_F(TrackFile, MetresInTheColumnsOfDegreesAreRefused) {
+  EXPECT_THAT(refused("lon,lat\n0,0\n500,44\n", kOnEarth),
+              HasSubstr("point 2: '500, 44': not degrees"));
+}
+
+OGRLineString line_of(const std::vector<Eigen::Vector2d>& points) {
+  OGRLineString line;
+  for (const Eigen::Vector2d& point : points) line.addPoint(point.x(), point.y());
+  return line;
+}
+
+TEST_F(TrackFile, LinesOfAVectorFileAreJoinedWhereTheyMeet) {
+  const OGRLineString first = line_of({{0.0, 0.0}, {10.0, 0.0}});
+  const OGRLineString meets = line_of({{10.0, 0.0}, {10.0, 10.0}});
+  const OGRLineString apart = line_of({{20.0, 10.0}, {20.0, 0.0}});
+  write_features(path("a.geojson"), "GeoJSON", "", {&first, &meets, &apart});
+  const Track track = read_track(path("a.geojson"), kLocal);
+  EXPECT_EQ(track.points_W.size(), 5U);
+  EXPECT_THAT(track.break_before, ElementsAre(3U));
+}
+
+TEST_F(TrackFile, EveryFormatOfGdalReadsBackTheSame) {
+  OGRMultiLineString lines;
+  const OGRLineString one = line_of({{-93.0, 44.0}, {-93.0, 44.001}});
+  const OGRLineString other = line_of({{-93.001, 44.001}, {-93.001, 44.0}});
+  lines.addGeometry(&one);
+  lines.addGeometry(&other);
+  const auto expected_W = local_from_wgs84(
+      kOnEarth, {{-93.0, 44.0}, {-93.0, 44.001}, {-93.001, 44.001}, {-93.001, 44.0}});
+  for (const auto& [driver, name] :
+       {std::pair{"GeoJSON", "a.geojson"}, {"GPKG", "a.gpkg"}, {"KML", "a.kml"}}) {
+    write_features(path(name), driver, "EPSG:4326", {&lines});
+    const Track track = read_track(path(name), kOnEarth);
+    ASSERT_EQ(track.points_W.size(), 4U) << name;
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_LT((track.points_W[i] - expected_W[i]).norm(), 1e-3) << name;
+    }
+    EXPECT_THAT(track.break_before, ElementsAre(2U));
+  }
+}
+
+TEST_F(TrackFile, GpxIsReadOnce) {
+  const auto file = written("a.gpx", R"(<?xml version="1.0"?>
+<gpx version="1.1" creator="test" xmlns="http://www.topografix.com/GPX/1/1"><trk><trkseg>
+<trkpt lat="44" lon="-93"/><trkpt lat="44.001" lon="-93"/></trkseg></trk></gpx>)");
+  EXPECT_EQ(read_track(file, kOnEarth).points_W.size(), 2U);
+}
+
+TEST_F(TrackFile, BadVectorFilesAreRefused) {
+  const auto line = [&](const std::filesystem::path& file, const GeoFrame& frame) {
+    return refusal([&] { read_track(file, frame); });
+  };
+  EXPECT_EQ(line("/nowhere/a.csv", kLocal), "/nowhere/a.csv: no such file");
+  EXPECT_EQ(line("/nowhere/a.geojson", kLocal), "/nowhere/a.geojson: no such file");
+  EXPECT_THAT(line(written("a.geojson", "{\n\"type\": \"Line"), kLocal),
+              HasSubstr("a.geojson: line 2: malformed JSON"));
+  const OGRPoint point(1.0, 2.0);
+  write_features(path("b.geojson"), "GeoJSON", "", {&point});
+  EXPECT_THAT(line(path("b.geojson"), kLocal), HasSubstr("holds no line"));
+  const OGRLineString degrees = line_of({{-93.0, 44.0}, {-93.0, 44.001}});
+  write_features(path("c.gpkg"), "GPKG", "EPSG:4326", {&degrees});
+  EXPECT_THAT(line(path("c.gpkg"), kLocal), HasSubstr("need a field with a place on the earth"));
+  write_features(path("d.geojson"), "GeoJSON", "", {&degrees});
+  EXPECT_THAT(line(path("d.geojson"), kLocal), HasSubstr("point 1: '-93, 44': looks like degrees"));
+}
+
+}  // namespace
+}  // namespace headland
