@@ -71,10 +71,12 @@ BatteryFlow draw(const Battery& battery, double power_w, double dt_s, BatterySta
   const double ocv_v = open_circuit_voltage_v(battery, state.soc);
   const double e_v = ocv_v - state.polarisation_v;
   const double r_ohm = battery.resistance_ohm;
-  const double discriminant = std::max(0.0, e_v * e_v - 4.0 * r_ohm * power_w);
+  const double given_w = std::min(power_w, max_discharge_power_w(battery, state));
+  const double discriminant = std::max(0.0, e_v * e_v - 4.0 * r_ohm * given_w);
 
   BatteryFlow flow;
-  flow.current_a = (e_v - std::sqrt(discriminant)) / (2.0 * r_ohm);
+  // The root (E - sqrt(..)) / (2 R), written so that it keeps its digits as R goes to zero.
+  flow.current_a = 2.0 * given_w / (e_v + std::sqrt(discriminant));
   flow.voltage_v = e_v - flow.current_a * r_ohm;
   flow.chemistry_w = ocv_v * flow.current_a;
   flow.loss_w = flow.chemistry_w - flow.voltage_v * flow.current_a;

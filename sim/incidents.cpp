@@ -12,21 +12,25 @@ std::string at_place(const Eigen::Vector3d& p_WB, double time_s) {
   return fmt::format("at x {:.1f} m, y {:.1f} m after {:.0f} s", p_WB.x(), p_WB.y(), time_s);
 }
 
-bool stuck(const DriverState& driver, double time_s, ProgressWatch& watch) {
+bool stuck(const Machine& machine, const StepReport& report, const DriverState& driver,
+           double time_s, ProgressWatch& watch) {
   if (driver.run != watch.run || driver.along_m > watch.along_m + kStuckProgress_m) {
     watch = {driver.run, driver.along_m, time_s};
   }
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    if (machine.wheels[i].driven) watch.worst_slip = std::max(watch.worst_slip, report.slip[i]);
+  }
+  watch.clipped = watch.clipped || report.clipped;
   return time_s - watch.time_s > kStuckAfter_s;
 }
 
-std::string why_stuck(const Machine& machine, const StepReport& report) {
-  double slip = 0.0;
-  for (std::size_t i = 0; i < kWheels; ++i) {
-    if (machine.wheels[i].driven) slip = std::max(slip, report.slip[i]);
+std::string why_stuck(const ProgressWatch& watch) {
+  constexpr double kSpinning = 0.5;
+  if (watch.worst_slip > kSpinning) {
+    return fmt::format("stuck: the driven wheels spin (slip {:.2f})", watch.worst_slip);
   }
-  if (slip > 0.5) return fmt::format("the driven wheels spin (slip {:.2f})", slip);
-  if (report.clipped) return "the motor or the battery is at its limit";
-  return "no headway along the path";
+  if (watch.clipped) return "stuck: the motor or the battery is at its limit";
+  return "stuck: no headway along the path";
 }
 
 }  // namespace
@@ -68,7 +72,9 @@ std::optional<Incident> find_incident(const SimulationSetup& setup, const Machin
   if (time_s > max_time_s) {
     return incident(Outcome::kTimedOut, fmt::format("not done within {:.0f} s", max_time_s));
   }
-  if (stuck(driver, time_s, watch)) return incident(Outcome::kStuck, why_stuck(machine, report));
+  if (stuck(machine, report, driver, time_s, watch)) {
+    return incident(Outcome::kStuck, why_stuck(watch));
+  }
   return std::nullopt;
 }
 

@@ -24,11 +24,13 @@ struct Incident {
   std::string detail;  // place and cause in words
 };
 
-// When progress along the path was last seen.
+// When progress along the path was last seen, and what has been seen since.
 struct ProgressWatch {
   std::size_t run = 0;
   double along_m = -1.0;
   double time_s = 0.0;
+  double worst_slip = 0.0;
+  bool clipped = false;
 };
 
 // The incident of this step, if any, in order of gravity.

@@ -71,6 +71,10 @@ ChassisState place_on_ground(const Machine& machine, const Eigen::Vector2d& p_W,
   state.R_WB.col(1) = z_axis.cross(x_axis);
   state.R_WB.col(2) = z_axis;
   state.p_WC = rear + state.R_WB * machine.mass.com_B;
+  // On a slope the tyres carry less than on the flat: stand that much higher, or the body bounces.
+  const double c = z_axis.z();
+  const double sag_m = machine.wheels[0].free_radius_m - machine.wheels[0].radius_m;
+  state.p_WC.z() += sag_m * (1.0 / c - c * c);
   return state;
 }
 

@@ -215,11 +215,15 @@ void record_step(Recorder& recorder, const StepReport& report, const MachineStat
   ++recorder.step;
 }
 
-void finish_record(Recorder& recorder, const StoredEnergy& stored, const MachineState& state) {
+void finish_record(Recorder& recorder, const StepReport& report, const StoredEnergy& stored,
+                   const MachineState& state, const DriverState& driver,
+                   const DriverCommand& command) {
   RunRecord& record = recorder.record;
-  if (!record.segments.empty()) {
-    charge_stores(record.segments.back().energy, recorder.stored_before, stored);
+  if ((recorder.step - 1) % recorder.sample_every != 0) {
+    const Place place = place_of(report.chassis, recorder.machine.mass);
+    record.samples.push_back(make_sample(recorder, report, state, driver, command, place));
   }
+  charge_stores(record.segments.back().energy, recorder.stored_before, stored);
   for (SegmentRecord& segment : record.segments) {
     segment.energy.cause_j[static_cast<std::size_t>(EnergyCause::kResidual)] =
         unaccounted_j(segment.energy);

@@ -47,7 +47,10 @@ Recorder make_recorder(const Machine& machine, const Field& field, double rate_h
 void record_step(Recorder& recorder, const StepReport& report, const MachineState& state,
                  const DriverState& driver, const DriverCommand& command);
 
-// Closes totals and ledger with the stores as they are at the end.
-void finish_record(Recorder& recorder, const StoredEnergy& stored, const MachineState& state);
+// Closes totals and ledger with the stores as they are at the end, after the step `report`; the
+// record's last sample is of that step.
+void finish_record(Recorder& recorder, const StepReport& report, const StoredEnergy& stored,
+                   const MachineState& state, const DriverState& driver,
+                   const DriverCommand& command);
 
 }  // namespace headland

@@ -52,14 +52,14 @@ RunRecord simulate(const SimulationSetup& setup) {
                                 : kTimeFactor * route.expected_time_s + kTimeGrace_s;
   const auto steps_per_second = std::lround(options.rate_hz);
   DriverState driver;
+  DriverCommand command;
+  StepReport report;
   ProgressWatch watch;
   while (!driver.finished) {
     const double time_s = static_cast<double>(recorder.step) * dt_s;
     const DriverView view = view_of(world.state(), machine.mass);
-    const DriverCommand command =
-        drive(route, setup.vehicle, view, machine.mass.mass_kg, dt_s, driver);
-    const StepReport report =
-        step_machine(machine, command, driver.steer_rad, driver.lowered, dt_s, world, state);
+    command = drive(route, setup.vehicle, view, machine.mass.mass_kg, dt_s, driver);
+    report = step_machine(machine, command, driver.steer_rad, driver.lowered, dt_s, world, state);
     record_step(recorder, report, state, driver, command);
     const auto incident = find_incident(setup, machine, report, world, state, driver,
                                         recorder.record, time_s, max_time_s, watch);
@@ -78,9 +78,9 @@ RunRecord simulate(const SimulationSetup& setup) {
   const ChassisState chassis = world.state();
   const auto contacts = touch_ground(setup.terrain, chassis, machine.wheels, driver.steer_rad,
                                      wheelbase_m(setup.vehicle));
-  finish_record(recorder,
-                stored_energy(machine.mass, chassis, machine.wheels, state.wheels, contacts),
-                state);
+  finish_record(recorder, report,
+                stored_energy(machine.mass, chassis, machine.wheels, state.wheels, contacts), state,
+                driver, command);
   return std::move(recorder.record);
 }
 

@@ -72,6 +72,7 @@ double bristle_impulse(double stiffness, double z_m, double relax, double v_free
 struct WheelRows {
   Row x;
   Row y;
+  Eigen::Vector3d axle;
   Eigen::Vector3d brake_angular;  // change of omega per unit brake impulse on the wheel
   double spin_free = 0.0;         // predicted with the drive torque alone
   double coulomb_impulse = 0.0;   // signed, on the wheel, brake and rolling together
@@ -82,11 +83,17 @@ struct WheelRows {
   double z_y_new = 0.0;
 };
 
-// Longitudinal force and spin together: rolling forwards, rolling backwards, or locked.
+double relaxation(const WheelRows& row, double dt_s) {
+  return 1.0 + dt_s * row.relax_speed_mps / kRelaxationLength_m;
+}
+
+// Longitudinal force and spin together: rolling forwards, rolling backwards, or locked: by the
+// brake to the chassis, by rolling resistance to the ground.
 void solve_along(WheelRows& rows, Motion& motion, const WheelDefinition& wheel,
                  const WheelState& state, double stiffness, double limit_impulse, double relax,
                  double dt_s) {
   const double radius_m = wheel.radius_m;
+  const double locked = rows.brake_share > 0.5 ? motion.omega_W.dot(rows.axle) : 0.0;
   const double brake_before = rows.coulomb_impulse * rows.brake_share;
   motion.omega_W -= brake_before * rows.brake_angular;
   const double hub_velocity = rows.x.velocity(motion) - rows.x.mobility * rows.x.impulse;
@@ -105,17 +112,17 @@ void solve_along(WheelRows& rows, Motion& motion, const WheelDefinition& wheel,
   double coulomb = -rows.coulomb_limit;
   double impulse = rolling(coulomb);
   double spin = spin_after(coulomb, impulse);
-  if (spin <= 0.0) {
+  if (spin <= locked) {
     coulomb = rows.coulomb_limit;
     impulse = rolling(coulomb);
     spin = spin_after(coulomb, impulse);
-    if (spin >= 0.0) {
-      impulse = std::clamp(
-          bristle_impulse(stiffness, state.bristle_x_m, relax, hub_velocity, rows.x.mobility, dt_s),
-          -limit_impulse, limit_impulse);
-      coulomb = std::clamp(-wheel.inertia_kg_m2 * rows.spin_free + radius_m * impulse,
+    if (spin >= locked) {
+      impulse = std::clamp(bristle_impulse(stiffness, state.bristle_x_m, relax,
+                                           hub_velocity - radius_m * locked, rows.x.mobility, dt_s),
+                           -limit_impulse, limit_impulse);
+      coulomb = std::clamp(wheel.inertia_kg_m2 * (locked - rows.spin_free) + radius_m * impulse,
                            -rows.coulomb_limit, rows.coulomb_limit);
-      spin = 0.0;
+      spin = locked;
     }
   }
   rows.x.apply(motion, impulse - rows.x.impulse);
@@ -161,6 +168,7 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
     WheelRows& row = rows[i];
     row.x = Row(motion, contact.hub_arm, contact.along);
     row.y = Row(motion, contact.lateral_arm, contact.across);
+    row.axle = contact.axle;
     row.brake_angular = -(motion.inverse_inertia_W * contact.axle);
     row.spin_free = states[i].spin_rad_per_s + dt_s * torques[i].drive_nm / wheel.inertia_kg_m2;
     const double rolling_nm = soil.rolling_resistance * contact.load_n * wheel.radius_m;
@@ -168,9 +176,14 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
     row.coulomb_limit = dt_s * coulomb_nm;
     row.brake_share = coulomb_nm > 0.0 ? torques[i].brake_max_nm / coulomb_nm : 0.0;
     const double rim_mps = wheel.radius_m * states[i].spin_rad_per_s;
-    const double hub_mps = row.x.velocity(motion);
-    row.relax_speed_mps = std::max({std::abs(rim_mps), std::abs(hub_mps),
-                                    std::abs(hub_mps - rim_mps), std::abs(row.y.velocity(motion))});
+    // From the velocities before the step: the predicted ones contain gravity not yet held by the
+    // tyres, and a braked vehicle would creep.
+    const double hub_mps =
+        row.x.direction.dot(point_velocity(chassis.v_W, chassis.omega_W, row.x.arm));
+    const double across_mps =
+        row.y.direction.dot(point_velocity(chassis.v_W, chassis.omega_W, row.y.arm));
+    row.relax_speed_mps = std::max(
+        {std::abs(rim_mps), std::abs(hub_mps), std::abs(hub_mps - rim_mps), std::abs(across_mps)});
     row.z_x_new = states[i].bristle_x_m;
     row.z_y_new = states[i].bristle_y_m;
   }
@@ -179,7 +192,7 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
     for (std::size_t i = 0; i < kWheels; ++i) {
       WheelRows& row = rows[i];
       const Bristle bristle = linearise(soil, contacts[i].load_n, row.z_x_new, row.z_y_new);
-      const double relax = 1.0 + dt_s * row.relax_speed_mps / kRelaxationLength_m;
+      const double relax = relaxation(row, dt_s);
       const double limit = dt_s * soil.friction * contacts[i].load_n;
       solve_along(row, motion, wheels[i], states[i], bristle.stiffness_x, limit, relax, dt_s);
       const double left_over =
@@ -196,8 +209,12 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
         row.spin_free +
         (row.coulomb_impulse - wheels[i].radius_m * row.x.impulse) / wheels[i].inertia_kg_m2;
     state.angle_rad += dt_s * state.spin_rad_per_s;
-    state.bristle_x_m = row.z_x_new;
-    state.bristle_y_m = row.z_y_new;
+    // From the velocities all rows ended up with, not those each row saw: otherwise the bristles
+    // forget part of the motion and a braked vehicle creeps.
+    const double contact_mps = row.x.velocity(motion) - wheels[i].radius_m * state.spin_rad_per_s;
+    const double relax = relaxation(row, dt_s);
+    state.bristle_x_m = (state.bristle_x_m + dt_s * contact_mps) / relax;
+    state.bristle_y_m = (state.bristle_y_m + dt_s * row.y.velocity(motion)) / relax;
     result.along_n[i] = row.x.impulse / dt_s;
     result.across_n[i] = row.y.impulse / dt_s;
     result.brake_nm[i] = row.brake_share * row.coulomb_impulse / dt_s;

@@ -24,6 +24,8 @@ WheelDefinition define_wheel(const Axle& axle, bool left, bool steered, const Ch
   return wheel;
 }
 
+constexpr double kLeastUprightness = 0.5;  // a vehicle past 60 deg has rolled over
+
 // Vertical gap geometry of one wheel before its axle's pivot is considered.
 struct Gap {
   Eigen::Vector3d hub_W;
@@ -40,7 +42,8 @@ Gap measure_gap(const Heightfield& terrain, const ChassisState& chassis,
   gap.hub_W = chassis.p_WC + arm;
   const SurfacePoint ground = surface_at(terrain, gap.hub_W.x(), gap.hub_W.y());
   gap.slope_normal = {-ground.gradient.x(), -ground.gradient.y(), 1.0};
-  gap.deflection_m = wheel.free_radius_m - (gap.hub_W.z() - ground.height_m);
+  const double tilt = std::max(chassis.R_WB(2, 2), kLeastUprightness);
+  gap.deflection_m = wheel.free_radius_m / tilt - (gap.hub_W.z() - ground.height_m);
   gap.rate_mps = -gap.slope_normal.dot(point_velocity(chassis.v_W, chassis.omega_W, arm));
   gap.on_terrain = ground.inside;
   return gap;

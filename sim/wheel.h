@@ -59,9 +59,11 @@ struct WheelContact {
   bool on_terrain = true;
 };
 
-// Normal forces: a spring over the vertical gap, R - (z_hub - h), along (-hx, -hy, 1), which is
-// exactly conservative on the triangulated surface, with damping; applied on the line from the
-// hub along the terrain normal, so that it never pushes the vehicle uphill. A pivoted axle shares
+// Normal forces: a spring over the vertical gap, R / cos(tilt) - (z_hub - h), along (-hx, -hy, 1),
+// with damping; applied on the line from the hub along the terrain normal, so that it never pushes
+// the vehicle uphill. The body's tilt stands for the slope's: with the facet's own slope the
+// energy would jump at every edge between triangles, with none the hub would sink by
+// R (1 - cos(slope)) into a slope. A pivoted axle shares
 // its load equally between its wheels up to its oscillation limit.
 PerWheel<WheelContact> touch_ground(const Heightfield& terrain, const ChassisState& chassis,
                                     const PerWheel<WheelDefinition>& wheels, double steer_rad,

@@ -48,7 +48,8 @@ inline Heightfield hills(double amplitude_m, double wavelength_m, double reach_m
 inline Field open_field(double reach_m = 190.0) {
   Field field;
   field.name = "open";
-  field.boundary = {{-reach_m, -reach_m}, {reach_m, -reach_m}, {reach_m, reach_m}, {-reach_m, reach_m}};
+  field.boundary = {
+      {-reach_m, -reach_m}, {reach_m, -reach_m}, {reach_m, reach_m}, {-reach_m, reach_m}};
   return field;
 }
 
@@ -100,8 +101,8 @@ inline Path rows_with_omega_turns(int rows, double length_m, double width_m, dou
     if (row + 1 == rows) break;
     const double side = row % 2 == 0 ? 1.0 : -1.0;  // next row lies to the left, then to the right
     extend(path, PathKind::kUTurn, Gear::kForward, false, radius_m * a, -side / radius_m);
-    extend(path, PathKind::kUTurn, Gear::kForward, false,
-           radius_m * (std::numbers::pi + 2.0 * a), side / radius_m);
+    extend(path, PathKind::kUTurn, Gear::kForward, false, radius_m * (std::numbers::pi + 2.0 * a),
+           side / radius_m);
     extend(path, PathKind::kUTurn, Gear::kForward, false, radius_m * a, -side / radius_m);
   }
   return path;

@@ -1,0 +1,103 @@
+#include "sim/drivetrain.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/sim/test_drives.h"
+
+namespace headland {
+namespace {
+
+constexpr double kPlenty_w = 1e9;
+
+Motor small_motor() {
+  Motor motor;
+  motor.max_torque_nm = 20.0;
+  motor.max_power_w = 2000.0;
+  motor.max_speed_rad_per_s = 250.0;
+  motor.copper_loss_kc = 1.5;
+  motor.iron_loss_ki = 0.1;
+  motor.windage_loss_kw = 1e-5;
+  motor.constant_loss_w = 20.0;
+  return motor;
+}
+
+TEST(Motor, LossesFollowLarminieAndLowry) {
+  // 1.5 x 100 + 0.1 x 100 + 1e-5 x 1e6 + 20 = 190 W
+  EXPECT_NEAR(motor_loss_w(small_motor(), 10.0, 100.0), 190.0, 1e-9);
+  EXPECT_EQ(motor_loss_w(small_motor(), 10.0, 100.0), motor_loss_w(small_motor(), -10.0, -100.0));
+}
+
+TEST(Motor, TorquePowerAndSpeedLimitsClip) {
+  const Motor motor = small_motor();
+  EXPECT_EQ(limit_motor(motor, 15.0, 50.0, kPlenty_w, kPlenty_w).torque_nm, 15.0);
+  EXPECT_FALSE(limit_motor(motor, 15.0, 50.0, kPlenty_w, kPlenty_w).clipped);
+  EXPECT_EQ(limit_motor(motor, 30.0, 50.0, kPlenty_w, kPlenty_w).torque_nm, 20.0);
+  EXPECT_NEAR(limit_motor(motor, 20.0, 200.0, kPlenty_w, kPlenty_w).torque_nm, 10.0, 1e-9);
+  EXPECT_EQ(limit_motor(motor, 20.0, 260.0, kPlenty_w, kPlenty_w).torque_nm, 0.0);
+  EXPECT_TRUE(limit_motor(motor, 20.0, 260.0, kPlenty_w, kPlenty_w).clipped);
+}
+
+TEST(Motor, BatteryLimitGivesTheTorqueThatUsesAllOfIt) {
+  const Motor motor = small_motor();
+  constexpr double kAvailable_w = 900.0;
+  const MotorTorque torque = limit_motor(motor, 20.0, 100.0, kAvailable_w, kPlenty_w);
+  EXPECT_TRUE(torque.clipped);
+  EXPECT_NEAR(torque.torque_nm * 100.0 + motor_loss_w(motor, torque.torque_nm, 100.0), kAvailable_w,
+              1e-9);
+  EXPECT_EQ(limit_motor(motor, 20.0, 100.0, 10.0, kPlenty_w).torque_nm, 0.0);
+}
+
+TEST(Motor, ChargeLimitBoundsTheRegeneratedPower) {
+  const MotorTorque torque = limit_motor(small_motor(), -15.0, 100.0, kPlenty_w, 300.0);
+  EXPECT_NEAR(torque.torque_nm, -3.0, 1e-12);
+}
+
+struct Rig {
+  Vehicle vehicle = load_vehicle("transplanter");
+  PerWheel<WheelDefinition> wheels = define_wheels(vehicle, chassis_mass(vehicle));
+  PerWheel<WheelContact> contacts;
+  Rig() {
+    for (WheelContact& contact : contacts) contact.load_n = 1000.0;
+    contacts[0].load_n = 3000.0;
+  }
+  DrivetrainCommand command(double wanted_nm, double speed_mps) const {
+    const double motor_speed = vehicle.drivetrain.gear_ratio * speed_mps / wheels[0].radius_m;
+    return command_drive(vehicle, wheels, contacts, wanted_nm, motor_speed, speed_mps, kPlenty_w,
+                         kPlenty_w, false);
+  }
+};
+
+TEST(Drivetrain, DrivingSplitsTheWantedTorqueEvenly) {
+  const Rig rig;
+  const DrivetrainCommand command = rig.command(400.0, 0.8);
+  EXPECT_NEAR(command.wheels[0].drive_nm, 200.0, 1e-9);
+  EXPECT_EQ(command.wheels[0].drive_nm, command.wheels[1].drive_nm);
+  EXPECT_EQ(command.wheels[2].drive_nm, 0.0);
+  EXPECT_EQ(command.wheels[0].brake_max_nm, 0.0);
+  const Drivetrain& gear = rig.vehicle.drivetrain;
+  EXPECT_NEAR(command.motor_nm, 400.0 / (gear.gear_ratio * gear.efficiency), 1e-9);
+}
+
+TEST(Drivetrain, BrakingWithoutRegenerationIsAllFrictionByWheelLoad) {
+  Rig rig;
+  rig.vehicle.motor.regeneration_fraction = 0.0;
+  const DrivetrainCommand command = rig.command(-300.0, 0.8);
+  EXPECT_EQ(command.motor_nm, 0.0);
+  EXPECT_NEAR(command.wheels[0].brake_max_nm, 150.0, 1e-9);
+  EXPECT_NEAR(command.wheels[3].brake_max_nm, 50.0, 1e-9);
+}
+
+TEST(Drivetrain, RegenerationTakesItsShareAboveTheLeastSpeed) {
+  Rig rig;
+  rig.vehicle.motor.regeneration_fraction = 0.6;
+  rig.vehicle.motor.regeneration_min_speed_mps = 0.5;
+  const DrivetrainCommand fast = rig.command(-300.0, 0.8);
+  EXPECT_NEAR(fast.wheels[0].drive_nm + fast.wheels[1].drive_nm, -180.0, 1e-9);
+  double friction_nm = 0.0;
+  for (const WheelTorques& wheel : fast.wheels) friction_nm += wheel.brake_max_nm;
+  EXPECT_NEAR(friction_nm, 120.0, 1e-9);
+  EXPECT_EQ(rig.command(-300.0, 0.4).motor_nm, 0.0);
+}
+
+}  // namespace
+}  // namespace headland

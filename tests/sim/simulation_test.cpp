@@ -1,0 +1,295 @@
+// Story tests: settle, drive, brake, reverse, turn, climb, tip over, run empty, hit, leave.
+#include "sim/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "sim/driver.h"
+#include "sim/machine.h"
+#include "tests/sim/test_drives.h"
+
+namespace headland {
+namespace {
+
+Vehicle transplanter() { return load_vehicle("transplanter"); }
+
+bool same(const RunRecord& a, const RunRecord& b) {
+  if (a.samples.size() != b.samples.size()) return false;
+  for (std::size_t i = 0; i < a.samples.size(); ++i) {
+    if (a.samples[i].p_WB != b.samples[i].p_WB) return false;
+    if (a.samples[i].battery_power_w != b.samples[i].battery_power_w) return false;
+  }
+  return a.energy.battery_j == b.energy.battery_j && a.outcome == b.outcome;
+}
+
+TEST(Simulation, DrivesAStraightLineToItsEnd) {
+  const RunRecord run =
+      test::run(test::straight(60.0), transplanter(), test::plane(0.0, 0.0), test::textbook_soil());
+  ASSERT_EQ(run.outcome, Outcome::kFinished) << run.outcome_detail;
+  const RunSample& last = run.samples.back();
+  constexpr double kStopping_m = 0.03;  // the driver sets the brakes 1 cm before the end
+  EXPECT_NEAR(last.p_WB.x(), 60.0, kStopping_m);
+  EXPECT_NEAR(last.p_WB.y(), 0.0, 1e-6);
+  EXPECT_NEAR(run.distance_m, 60.0, kStopping_m);
+  EXPECT_NEAR(last.speed_mps, 0.0, 0.02);
+  EXPECT_EQ(run.peaks.boundary_overrun_m.value, 0.0);
+}
+
+TEST(Simulation, KeepsItsWorkSpeedWithin1Percent) {
+  const Vehicle vehicle = transplanter();
+  const RunRecord run =
+      test::run(test::straight(60.0, true), vehicle, test::plane(0.05, 0.0), test::textbook_soil());
+  const RunSample& middle = run.samples[run.samples.size() / 2];
+  EXPECT_NEAR(middle.speed_mps, vehicle.driver.work_speed_mps,
+              0.01 * vehicle.driver.work_speed_mps);
+}
+
+TEST(Simulation, ReversesAlongAnArcAndEndsWhereItShould) {
+  Path path;
+  test::extend(path, PathKind::kTransit, Gear::kForward, false, 5.0, 0.0);
+  test::extend(path, PathKind::kTurn, Gear::kReverse, false, 4.0, 0.3);
+  const PathPoint end = path.segments.back().points.back();
+  const RunRecord run =
+      test::run(path, transplanter(), test::plane(0.0, 0.0), test::textbook_soil());
+  ASSERT_EQ(run.outcome, Outcome::kFinished) << run.outcome_detail;
+  const RunSample& last = run.samples.back();
+  EXPECT_LT((last.p_WB.head<2>() - end.p_W).norm(), 0.15);  // the target for turns
+  EXPECT_NEAR(last.yaw_rad, end.heading_rad, 0.1);
+  const auto backwards = std::count_if(run.samples.begin(), run.samples.end(),
+                                       [](const RunSample& s) { return s.speed_mps < -0.2; });
+  EXPECT_GT(backwards, 30);
+}
+
+TEST(Simulation, RowsAndTurnsStayWithinTheTargets) {
+  const Vehicle vehicle = transplanter();
+  const Path path = test::rows_with_omega_turns(4, 40.0, 2.0, planning_turning_radius_m(vehicle));
+  const RunRecord run = test::run(path, vehicle, test::hills(1.0, 25.0), test::textbook_soil());
+  ASSERT_EQ(run.outcome, Outcome::kFinished) << run.outcome_detail;
+  double rows_m3 = 0.0, rows_m = 0.0, turns_m3 = 0.0, turns_m = 0.0;
+  for (const SegmentRecord& segment : run.segments) {
+    const bool row = path.segments[static_cast<std::size_t>(segment.segment)].implement_down;
+    (row ? rows_m3 : turns_m3) += segment.cross_track_sum_m2;
+    (row ? rows_m : turns_m) += segment.distance_m;
+  }
+  EXPECT_LT(std::sqrt(rows_m3 / rows_m), 0.03);  // RMS, ideal positioning
+  EXPECT_LT(std::sqrt(turns_m3 / turns_m), 0.15);
+}
+
+TEST(Simulation, FootprintCoversTheSwathAndNothingElse) {
+  const Vehicle vehicle = transplanter();
+  Path path;
+  test::extend(path, PathKind::kTransit, Gear::kForward, false, 8.0, 0.0);
+  test::extend(path, PathKind::kSwath, Gear::kForward, true, 20.0, 0.0);
+  test::extend(path, PathKind::kTransit, Gear::kForward, false, 8.0, 0.0);
+  const RunRecord run = test::run(path, vehicle, test::plane(0.0, 0.0), test::textbook_soil());
+  ASSERT_FALSE(run.footprints.empty());
+  const double x_m = vehicle.implement.x_B_m;
+  constexpr double kStep_m = 0.01;  // metres driven in a step, at both ends
+  EXPECT_NEAR(run.footprints.front().left_W.x(), 8.0 + x_m, kStep_m);
+  EXPECT_NEAR(run.footprints.back().left_W.x(), 28.0 + x_m, kStep_m);
+  EXPECT_TRUE(run.footprints.front().starts_strip);
+  for (const FootprintSample& footprint : run.footprints) {
+    EXPECT_NEAR((footprint.left_W - footprint.right_W).norm(), 2.0, 1e-9);
+    EXPECT_GT(footprint.left_W.y(), footprint.right_W.y());
+  }
+}
+
+TEST(Simulation, SlipsAndSticksWhereItCannotClimb) {
+  const RunRecord run = test::run(test::straight(60.0), transplanter(), test::plane(0.30, 0.0),
+                                  test::textbook_soil(0.35, 0.08));
+  EXPECT_EQ(run.outcome, Outcome::kStuck) << run.outcome_detail;
+  EXPECT_NE(run.outcome_detail.find("spin"), std::string::npos) << run.outcome_detail;
+  EXPECT_GT(run.peaks.slip.value, 0.3);
+}
+
+// Static stability: tips when the slope passes atan(half track / height of the centre of mass).
+TEST(Simulation, TipsOverAtThePredictedSideSlope) {
+  Vehicle vehicle = transplanter();
+  vehicle.front.oscillation_max_rad = 0.0;
+  vehicle.front.vertical_stiffness_n_per_m = 5e6;  // rigid tyres, as the formula assumes
+  vehicle.rear.vertical_stiffness_n_per_m = 5e6;
+  vehicle.front.vertical_damping_n_s_per_m = vehicle.rear.vertical_damping_n_s_per_m = 6e4;
+  const double tip_rad = std::atan2(0.5 * vehicle.rear.track_m, chassis_mass(vehicle).com_B.z());
+  SimulationOptions options;
+  options.rate_hz = 2000.0;  // stiff tyres want a short step
+  const auto outcome_on = [&](double slope_rad) {
+    return test::run(test::straight(4.0), vehicle, test::plane(0.0, std::tan(slope_rad)),
+                     test::textbook_soil(3.0, 0.02), options)
+        .outcome;
+  };
+  constexpr double kOneDegree = std::numbers::pi / 180.0;
+  EXPECT_NE(outcome_on(tip_rad - kOneDegree), Outcome::kRolledOver);
+  EXPECT_EQ(outcome_on(tip_rad + kOneDegree), Outcome::kRolledOver);
+}
+
+TEST(Simulation, RunsTheBatteryEmpty) {
+  SimulationOptions options;
+  options.soc_start = 0.205;
+  const RunRecord run = test::run(test::straight(150.0), transplanter(), test::plane(0.02, 0.0),
+                                  test::textbook_soil(), options);
+  EXPECT_EQ(run.outcome, Outcome::kBatteryEmpty) << run.outcome_detail;
+  EXPECT_LT(run.distance_m, 149.0);
+}
+
+TEST(Simulation, HitsATreeInItsWay) {
+  Field field = test::open_field();
+  field.obstacles.push_back({ObstacleKind::kTree, {30.0, 0.2}, 0.3, 6.0});
+  const RunRecord run = test::run(test::straight(60.0), transplanter(), test::plane(0.0, 0.0),
+                                  test::textbook_soil(), {}, field);
+  EXPECT_EQ(run.outcome, Outcome::kHitObstacle);
+  EXPECT_NE(run.outcome_detail.find("tree at x 30.0 m"), std::string::npos) << run.outcome_detail;
+  const Vehicle vehicle = transplanter();
+  const double front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
+  EXPECT_NEAR(run.samples.back().p_WB.x() + front_m, 29.7, 0.15);  // one sample's travel
+}
+
+TEST(Simulation, LeavesTheField) {
+  const RunRecord run = test::run(test::straight(60.0), transplanter(), test::plane(0.0, 0.0),
+                                  test::textbook_soil(), {}, test::open_field(40.0));
+  EXPECT_EQ(run.outcome, Outcome::kLeftField);
+  const Vehicle vehicle = transplanter();
+  const double front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
+  EXPECT_NEAR(run.samples.back().p_WB.x() + front_m, 45.0, 0.3);
+}
+
+TEST(Simulation, ReportsASmallOverrunAndGoesOn) {
+  const Vehicle vehicle = transplanter();
+  const double front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
+  const RunRecord run = test::run(test::straight(40.0), vehicle, test::plane(0.0, 0.0),
+                                  test::textbook_soil(), {}, test::open_field(39.0 + front_m));
+  EXPECT_EQ(run.outcome, Outcome::kFinished);
+  EXPECT_NEAR(run.peaks.boundary_overrun_m.value, 1.0, 0.1);  // checked every 0.1 m
+}
+
+TEST(Simulation, LeavesTheTerrain) {
+  const RunRecord run = test::run(test::straight(60.0), transplanter(), test::plane(0.0, 0.0, 30.0),
+                                  test::textbook_soil());
+  EXPECT_EQ(run.outcome, Outcome::kLeftTerrain);
+}
+
+TEST(Simulation, TimesOutAndCanBeInterrupted) {
+  SimulationOptions options;
+  options.max_time_s = 10.0;
+  EXPECT_EQ(test::run(test::straight(60.0), transplanter(), test::plane(0.0, 0.0),
+                      test::textbook_soil(), options)
+                .outcome,
+            Outcome::kTimedOut);
+  const Vehicle vehicle = transplanter();
+  const Heightfield terrain = test::plane(0.0, 0.0);
+  const Soil soil = test::textbook_soil();
+  const Field field = test::open_field();
+  const Path path = test::straight(60.0);
+  const RunRecord run =
+      simulate({field, terrain, soil, vehicle, path, {}, [](const SimulationProgress& p) {
+                  return p.time_s < 5.0;
+                }});
+  EXPECT_EQ(run.outcome, Outcome::kInterrupted);
+  EXPECT_NEAR(run.duration_s, 5.0, 1.1);
+  EXPECT_FALSE(run.samples.empty());
+}
+
+TEST(Simulation, CoastsDownByTheRollingResistance) {
+  const Vehicle vehicle = transplanter();
+  const Heightfield terrain = test::plane(0.0, 0.0);
+  const Soil soil = test::textbook_soil(0.8, 0.05);
+  const Machine machine = make_machine(vehicle, terrain, soil);
+  BulletWorld world(test::open_field(), terrain, vehicle);
+  MachineState state;
+  ChassisState moving = place_on_ground(machine, {0.0, 0.0}, 0.0);
+  moving.v_W = {3.0, 0.0, 0.0};
+  world.set_state(moving);
+  double rotating_kg = 0.0;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    const WheelDefinition& wheel = machine.wheels[i];
+    state.wheels[i].spin_rad_per_s = 3.0 / wheel.radius_m;
+    rotating_kg += wheel.inertia_kg_m2 / (wheel.radius_m * wheel.radius_m);
+  }
+  const DriverCommand coasting;
+  for (int i = 0; i < 720; ++i) {
+    step_machine(machine, coasting, 0.0, 0.0, 1.0 / 240.0, world, state);
+  }
+  const double mass_kg = machine.mass.mass_kg;
+  const double deceleration = 0.05 * mass_kg * kGravity_mps2 / (mass_kg + rotating_kg);
+  // 0.3 %: braked wheels slip a little, so the rims run slower than the ground.
+  EXPECT_NEAR(world.state().v_W.x(), 3.0 - 3.0 * deceleration, 0.003 * 3.0);
+}
+
+TEST(Simulation, SameSetupSameRecordAlsoInTwoThreads) {
+  const Vehicle vehicle = transplanter();
+  const Path path = test::rows_with_omega_turns(2, 20.0, 2.0, planning_turning_radius_m(vehicle));
+  const Heightfield terrain = test::hills(0.5, 20.0);
+  const Soil soil = test::textbook_soil();
+  const RunRecord alone = test::run(path, vehicle, terrain, soil);
+  EXPECT_TRUE(same(alone, test::run(path, vehicle, terrain, soil)));
+  RunRecord first;
+  RunRecord second;
+  std::thread one([&] { first = test::run(path, vehicle, terrain, soil); });
+  std::thread two([&] { second = test::run(path, vehicle, terrain, soil); });
+  one.join();
+  two.join();
+  EXPECT_TRUE(same(alone, first));
+  EXPECT_TRUE(same(alone, second));
+}
+
+TEST(Simulation, LeftTurnMirrorsRightTurnOnFlatGround) {
+  Path left;
+  test::extend(left, PathKind::kTransit, Gear::kForward, false, 5.0, 0.0);
+  test::extend(left, PathKind::kUTurn, Gear::kForward, false, 8.0, 0.35);
+  Path right = left;
+  for (PathSegment& segment : right.segments) {
+    for (PathPoint& point : segment.points) {
+      point.p_W.y() = -point.p_W.y();
+      point.heading_rad = -point.heading_rad;
+      point.curvature_per_m = -point.curvature_per_m;
+    }
+  }
+  const Heightfield flat = test::plane(0.0, 0.0);
+  const RunRecord a = test::run(left, transplanter(), flat, test::textbook_soil());
+  const RunRecord b = test::run(right, transplanter(), flat, test::textbook_soil());
+  // The solver visits left wheels first, which is all that differs.
+  constexpr double kSweepOrder = 1e-4;
+  EXPECT_NEAR(a.energy.battery_j, b.energy.battery_j, kSweepOrder * a.energy.battery_j);
+  EXPECT_NEAR(a.samples.back().p_WB.y(), -b.samples.back().p_WB.y(), 1e-3);
+}
+
+TEST(Simulation, TurningTheWorldTurnsTheRun) {
+  const Vehicle vehicle = transplanter();
+  const Heightfield flat = test::plane(0.0, 0.0);
+  const RunRecord east =
+      test::run(test::straight(30.0, true), vehicle, flat, test::textbook_soil());
+  const RunRecord rotated =
+      test::run(test::straight(30.0, true, 2.1), vehicle, flat, test::textbook_soil());
+  // Rounding may end a run one step sooner or later: 1/240 s of some 60 s.
+  constexpr double kOneStep = 1e-4;
+  EXPECT_NEAR(east.energy.battery_j, rotated.energy.battery_j, kOneStep * east.energy.battery_j);
+  EXPECT_NEAR(rotated.samples.back().p_WB.head<2>().norm(), east.samples.back().p_WB.x(), 1e-3);
+}
+
+TEST(Route, SlowsForTheEndForCurvesAndChangesGearAtStandstill) {
+  const Vehicle vehicle = transplanter();
+  Path path;
+  test::extend(path, PathKind::kTransit, Gear::kForward, false, 10.0, 0.0);
+  test::extend(path, PathKind::kUTurn, Gear::kForward, false, 5.0, 0.4);
+  test::extend(path, PathKind::kUTurn, Gear::kReverse, false, 3.0, -0.4);
+  const Route route = make_route(path, vehicle);
+  ASSERT_EQ(route.runs.size(), 2u);
+  EXPECT_EQ(route.runs[1].gear, Gear::kReverse);
+  for (const RouteRun& run : route.runs) {
+    EXPECT_EQ(route.points[run.last].speed_limit_mps, 0.0);
+    for (std::size_t i = run.first; i < run.last; ++i) {
+      const RoutePoint& a = route.points[i];
+      const RoutePoint& b = route.points[i + 1];
+      EXPECT_LE(a.speed_limit_mps * a.speed_limit_mps,
+                b.speed_limit_mps * b.speed_limit_mps +
+                    2.0 * vehicle.driver.max_acceleration_mps2 * (b.along_m - a.along_m) + 1e-9);
+      EXPECT_LE(a.speed_limit_mps, vehicle.driver.transit_speed_mps);
+    }
+  }
+  EXPECT_NEAR(route.length_m, 18.0, 0.01);
+  EXPECT_GT(route.expected_time_s, 18.0 / vehicle.driver.transit_speed_mps);
+}
+
+}  // namespace
+}  // namespace headland

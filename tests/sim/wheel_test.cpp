@@ -1,0 +1,196 @@
+#include "sim/wheel.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/machine.h"
+#include "tests/sim/test_drives.h"
+
+namespace headland {
+namespace {
+
+constexpr double kRounding = 1e-9;
+
+TEST(Wheels, StaticLoadsCarryTheWeightByTheLeverRule) {
+  const Vehicle vehicle = load_vehicle("utility_tractor");
+  const Heightfield terrain = test::plane(0.0, 0.0);
+  const Soil soil = test::textbook_soil();
+  const Machine machine = make_machine(vehicle, terrain, soil);
+  const ChassisState chassis = place_on_ground(machine, {0.0, 0.0}, 0.3);
+  const auto contacts = touch_ground(terrain, chassis, machine.wheels, 0.0, wheelbase_m(vehicle));
+  double total_n = 0.0;
+  for (const WheelContact& contact : contacts) total_n += contact.load_n;
+  const double weight_n = machine.mass.mass_kg * kGravity_mps2;
+  EXPECT_NEAR(total_n, weight_n, kRounding * weight_n);
+  const double front_n = contacts[2].load_n + contacts[3].load_n;
+  EXPECT_NEAR(front_n, weight_n * machine.mass.com_B.x() / wheelbase_m(vehicle),
+              kRounding * weight_n);
+}
+
+// A contact point straight below the hub would let the normal force drive the vehicle uphill.
+TEST(Wheels, NormalForceHasNoMomentAboutTheHub) {
+  const Vehicle vehicle = load_vehicle("transplanter");
+  const Heightfield terrain = test::plane(0.25, -0.15);
+  const Soil soil = test::textbook_soil();
+  const Machine machine = make_machine(vehicle, terrain, soil);
+  const ChassisState chassis = place_on_ground(machine, {3.0, 4.0}, 0.7);
+  for (const WheelContact& contact :
+       touch_ground(terrain, chassis, machine.wheels, 0.1, wheelbase_m(vehicle))) {
+    ASSERT_GT(contact.load_n, 0.0);
+    const Eigen::Vector3d force = contact.load_n * contact.normal;
+    EXPECT_NEAR((contact.normal_arm - contact.hub_arm).cross(force).norm(), 0.0, kRounding);
+    EXPECT_NEAR(contact.normal.dot(Eigen::Vector3d(-0.25, 0.15, 1.0).normalized()), 1.0, kRounding);
+    EXPECT_NEAR(contact.along.dot(contact.normal), 0.0, kRounding);
+  }
+}
+
+// On ice without rolling resistance nothing but the slope's pull may act: a = -g sin(slope).
+TEST(Wheels, NormalForcesGiveNoPropulsionUphill) {
+  const Vehicle vehicle = load_vehicle("transplanter");
+  const Heightfield terrain = test::plane(0.1, 0.0);
+  Soil ice;
+  ice.friction = 0.0;
+  ice.rolling_resistance = 0.0;
+  const Machine machine = make_machine(vehicle, terrain, ice);
+  BulletWorld world(test::open_field(), terrain, vehicle);
+  world.set_state(place_on_ground(machine, {0.0, 0.0}, 0.0));
+  MachineState state;
+  DriverCommand coasting;
+  constexpr int kSteps = 480;
+  for (int i = 0; i < kSteps; ++i) {
+    step_machine(machine, coasting, 0.0, 0.0, 1.0 / 240.0, world, state);
+  }
+  const double slope_rad = std::atan(0.1);
+  const double expected_mps = -kGravity_mps2 * std::sin(slope_rad) * 2.0;
+  const ChassisState after = world.state();
+  // 0.2 %: the springs still swing a little after two seconds.
+  EXPECT_NEAR(after.v_W.dot(after.R_WB.col(0)), expected_mps, 0.002 * std::abs(expected_mps));
+}
+
+TEST(Wheels, AckermannMeetsAtOneCentre) {
+  constexpr double kWheelbase_m = 2.0;
+  constexpr double kHalfTrack_m = 0.8;
+  const double left = ackermann_rad(0.5, kWheelbase_m, kHalfTrack_m, true);
+  const double right = ackermann_rad(0.5, kWheelbase_m, kHalfTrack_m, false);
+  const double radius_m = kWheelbase_m / std::tan(0.5);
+  EXPECT_NEAR(kWheelbase_m / std::tan(left) + kHalfTrack_m, radius_m, kRounding);
+  EXPECT_NEAR(kWheelbase_m / std::tan(right) - kHalfTrack_m, radius_m, kRounding);
+  EXPECT_EQ(ackermann_rad(-0.5, kWheelbase_m, kHalfTrack_m, false), -left);
+}
+
+TEST(Wheels, PivotedAxleSharesItsLoadEquallyUpToItsStop) {
+  Vehicle vehicle = load_vehicle("transplanter");
+  // A ridge under the left wheels only: the body, placed by its mean, twists the axles.
+  Heightfield terrain = test::plane(0.0, 0.0, 20.0);
+  for (int j = 0; j < terrain.rows; ++j) {
+    for (int i = 0; i < terrain.columns; ++i) {
+      const double x = terrain.origin_W.x() + i * terrain.cell_m;
+      const double y = terrain.origin_W.y() + j * terrain.cell_m;
+      terrain.height_m[static_cast<std::size_t>(j * terrain.columns + i)] = 0.01 * x * y;
+    }
+  }
+  const Soil soil = test::textbook_soil();
+  const auto loads = [&](double oscillation_rad) {
+    vehicle.front.oscillation_max_rad = oscillation_rad;
+    const Machine machine = make_machine(vehicle, terrain, soil);
+    const auto contacts = touch_ground(terrain, place_on_ground(machine, {0.0, 0.0}, 0.0),
+                                       machine.wheels, 0.0, wheelbase_m(vehicle));
+    return std::pair(contacts[2].load_n, contacts[3].load_n);
+  };
+  // The two wheels stand on slopes of opposite sign: their normals differ, their springs do not.
+  constexpr double kNormalScale = 1e-3;
+  const auto [free_left, free_right] = loads(0.2);
+  EXPECT_NEAR(free_left, free_right, kNormalScale * free_left);
+  const auto [rigid_left, rigid_right] = loads(0.0);
+  EXPECT_GT(std::abs(rigid_left - rigid_right), 0.2 * free_left);
+  const auto [stopped_left, stopped_right] = loads(0.002);
+  EXPECT_GT(std::abs(stopped_left - stopped_right), 0.1 * free_left);
+  EXPECT_LT(std::abs(stopped_left - stopped_right), std::abs(rigid_left - rigid_right));
+}
+
+// Steady pull on a braked vehicle: the tyre law's own curve comes out of the implicit solver.
+TEST(Tyres, SteadySlipFollowsTheLaw) {
+  const Vehicle vehicle = load_vehicle("transplanter");
+  const Heightfield terrain = test::plane(0.0, 0.0);
+  const Soil soil = test::textbook_soil(0.6, 0.05);
+  ChassisMass mass = chassis_mass(vehicle);
+  const auto wheels = define_wheels(vehicle, mass);
+  mass.mass_kg = 1e9;  // a rig that holds 1 m/s whatever the wheels do
+  mass.inertia_kg_m2.setConstant(1e9);
+  ChassisState chassis;
+  chassis.v_W = {1.0, 0.0, 0.0};
+  PerWheel<WheelContact> contacts;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    contacts[i].load_n = 1500.0;
+    contacts[i].hub_arm = wheels[i].hub_C;
+    contacts[i].lateral_arm = wheels[i].hub_C;
+  }
+  PerWheel<WheelState> states;
+  PerWheel<WheelTorques> torques;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    states[i].spin_rad_per_s = 1.0 / wheels[i].radius_m;
+    torques[i].drive_nm = 0.5 * 0.6 * 1500.0 * wheels[i].radius_m;  // half the grip
+  }
+  TyreResult result;
+  for (int i = 0; i < 480; ++i) {
+    result = solve_tyres(
+        contacts, wheels, torques, soil, mass, chassis,
+        chassis.v_W - Eigen::Vector3d(result.force_W.x(), 0, 0) / (240.0 * mass.mass_kg),
+        chassis.omega_W, 1.0 / 240.0, states);
+  }
+  const double slip = 1.0 - 1.0 / (wheels[0].radius_m * states[0].spin_rad_per_s);
+  const double by_law_n = 1500.0 * 0.6 * (1.0 - std::exp(-soil.slip_stiffness * slip));
+  EXPECT_NEAR(result.along_n[0], by_law_n, 1e-3 * by_law_n);  // the rest of the transient
+  // Drive torque less rolling resistance is what reaches the ground.
+  EXPECT_NEAR(result.along_n[0], 1500.0 * (0.5 * 0.6 - 0.05), 1.0);
+}
+
+TEST(Tyres, CombinedForceStaysInTheFrictionCircle) {
+  const Vehicle vehicle = load_vehicle("transplanter");
+  const Soil soil = test::textbook_soil(0.5, 0.05);
+  const ChassisMass mass = chassis_mass(vehicle);
+  const auto wheels = define_wheels(vehicle, mass);
+  ChassisState chassis;
+  PerWheel<WheelContact> contacts;
+  PerWheel<WheelTorques> torques;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    contacts[i].load_n = 1500.0;
+    contacts[i].hub_arm = contacts[i].lateral_arm = wheels[i].hub_C;
+    torques[i].drive_nm = 1000.0;
+  }
+  PerWheel<WheelState> states;
+  for (int i = 0; i < 200; ++i) {
+    const TyreResult result = solve_tyres(contacts, wheels, torques, soil, mass, chassis,
+                                          {0.5, 2.0, 0.0}, chassis.omega_W, 1.0 / 240.0, states);
+    for (std::size_t w = 0; w < kWheels; ++w) {
+      EXPECT_LE(std::hypot(result.along_n[w], result.across_n[w]),
+                0.5 * 1500.0 * (1.0 + kRounding));
+    }
+  }
+}
+
+TEST(Tyres, BrakedWheelLocksAndHoldsExactly) {
+  const Vehicle vehicle = load_vehicle("transplanter");
+  const Heightfield terrain = test::plane(0.2, 0.0);
+  const Soil soil = test::textbook_soil();
+  const Machine machine = make_machine(vehicle, terrain, soil);
+  BulletWorld world(test::open_field(), terrain, vehicle);
+  world.set_state(place_on_ground(machine, {0.0, 0.0}, 0.0));
+  MachineState state;
+  DriverCommand braked;
+  braked.hold = true;
+  const auto stand = [&](double seconds) {
+    for (long i = 0; i < std::lround(seconds * 240.0); ++i) {
+      step_machine(machine, braked, 0.0, 0.0, 1.0 / 240.0, world, state);
+    }
+    return world.state().p_WC;
+  };
+  const Eigen::Vector3d settled = stand(20.0);
+  const double drift_mm_per_min = 1000.0 * (stand(60.0) - settled).norm();
+  EXPECT_LT(drift_mm_per_min, 0.1);  // the target for a braked vehicle on 20 %
+  for (const WheelState& wheel : state.wheels) EXPECT_NEAR(wheel.spin_rad_per_s, 0.0, 1e-5);
+}
+
+}  // namespace
+}  // namespace headland
