@@ -64,7 +64,7 @@ Page view_page(const PictureSize& size) {
 FieldView field_view(const PictureScene& scene, const Page& page) {
   constexpr double kMarginShare = 0.03;
   constexpr double kThickness = 0.035;
-  constexpr double kDown_rad = 36.0 * kPi / 180.0;
+  constexpr double kDown_rad = 41.0 * kPi / 180.0;
   constexpr double kFieldOfView_rad = 26.0 * kPi / 180.0;
   FieldView view;
   const Extent terrain = extent_of(scene.terrain);
@@ -88,6 +88,7 @@ FieldView field_view(const PictureScene& scene, const Page& page) {
     if (area <= best) continue;
     best = area;
     view.camera = camera;
+    view.heading_rad = heading;
   }
   return view;
 }
@@ -104,7 +105,7 @@ FieldView close_up(const PictureScene& scene, const RunSample& sample, const Box
   constexpr double kAside_rad = 0.66;
   constexpr double kReach_m = 160.0;
   // Beyond this width the ends of the implement may leave the picture: the vehicle is the subject.
-  constexpr double kWidest_m = 7.0;
+  constexpr double kWidest_m = 10.0;
   const Body& body = scene.vehicle.body;
   const Extent terrain = extent_of(scene.terrain);
   const Eigen::Vector2d p_W =
@@ -116,22 +117,27 @@ FieldView close_up(const PictureScene& scene, const RunSample& sample, const Box
   view.relief = {sample.p_WB.z(), 1.0};
   view.bottom_D = height_range(scene.terrain, view.block).low_m - sample.p_WB.z() - 5.0;
 
-  const double half_m =
-      0.5 * std::max(body.width_m, std::min(kWidest_m, scene.vehicle.implement.working_width_m));
-  const double rear_m = std::min(-body.rear_overhang_m, scene.vehicle.implement.x_B_m - 0.4);
-  const double front_m = body.length_m - body.rear_overhang_m + 0.4;
+  // Corners of the hull, and of the implement as far as it is not much wider.
   const Eigen::Rotation2Dd turn(sample.yaw_rad);
   std::vector<Point> points;
-  for (const double x : {rear_m, front_m}) {
-    for (const double y : {-half_m, half_m}) {
-      const bool behind = x < 0.0;
-      const Eigen::Vector2d p = p_W + turn * Eigen::Vector2d(x, behind ? y : 0.6 * y);
-      points.push_back(on_ground(scene.terrain, view.relief, p) - Point(0.0, 0.0, 0.2));
-      points.push_back(points.back() + Point(0.0, 0.0, behind ? 1.2 : body.height_m + 0.4));
+  const auto add_corners = [&](double x, double half_width_m, double height_m) {
+    for (const double y : {-half_width_m, half_width_m}) {
+      const Eigen::Vector2d corner = p_W + turn * Eigen::Vector2d(x, y);
+      const Point foot = on_ground(scene.terrain, view.relief, corner);
+      points.push_back(foot - Point(0.0, 0.0, 0.2));
+      points.push_back(foot + Point(0.0, 0.0, height_m));
     }
-  }
-  view.camera =
-      fit_camera(points, sample.yaw_rad + kPi + kAside_rad, kDown_rad, kFieldOfView_rad, view_px);
+  };
+  constexpr double kAround_m = 0.35;
+  constexpr double kImplementHeight_m = 0.9;
+  add_corners(-body.rear_overhang_m, 0.5 * body.width_m + kAround_m, body.height_m + kAround_m);
+  add_corners(body.length_m - body.rear_overhang_m + kAround_m, 0.5 * body.width_m + kAround_m,
+              body.height_m + kAround_m);
+  add_corners(scene.vehicle.implement.x_B_m,
+              0.5 * std::min(kWidest_m, scene.vehicle.implement.working_width_m) + kAround_m,
+              kImplementHeight_m);
+  view.heading_rad = sample.yaw_rad + kPi + kAside_rad;
+  view.camera = fit_camera(points, view.heading_rad, kDown_rad, kFieldOfView_rad, view_px);
   view.camera.far_m = 2.0 * kReach_m + 100.0;
   view.camera.near_m = std::max(0.2, 0.2 * (view.camera.target_D - view.camera.eye_D).norm());
   return view;

@@ -14,6 +14,7 @@ struct FieldView {
   Relief relief;
   Extent block;
   double bottom_D = 0.0;
+  double heading_rad = 0.0;  // the camera looks along
 };
 
 // The whole field, as near as the page's main box allows, from the side where it is seen largest

@@ -10,8 +10,8 @@ using Profile = Eigen::Vector2d;  // radius, z
 
 // A trunk and three crowns of leaves, each narrowing upwards.
 Mesh tree_mesh(double radius_m, double height_m) {
-  constexpr Rgba kTrunk{96, 70, 48};
-  constexpr Rgba kLeaves{66, 112, 58};
+  constexpr Rgba kTrunk{116, 88, 62};
+  constexpr Rgba kLeaves{92, 142, 74};
   constexpr int kSides = 14;
   const double h = height_m;
   const std::array<Profile, 3> trunk = {

@@ -55,7 +55,7 @@ inline constexpr Rgba kUnworked{204, 186, 134};
 inline constexpr Rgba kWorked{140, 108, 78};
 inline constexpr Rgba kWorkedTwice{116, 86, 62};
 inline constexpr Rgba kWorkedThrice{92, 66, 48};
-inline constexpr Rgba kBlockSide{176, 160, 138};
+inline constexpr Rgba kBlockSide{196, 180, 156};
 }  // namespace colours
 
 }  // namespace headland

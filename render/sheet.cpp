@@ -89,6 +89,14 @@ void stroke(Sheet& sheet, std::span<const Point2> points_px, double width_px, Rg
   stroke(sheet, points, width_px, colour, closed);
 }
 
+void stroke_tapered(Sheet& sheet, std::span<const Point3> points_px,
+                    std::span<const double> widths_px, Rgba colour) {
+  for (std::size_t i = 1; i < points_px.size(); ++i) {
+    add_segment(sheet, points_px[i - 1], points_px[i], 0.5 * (widths_px[i - 1] + widths_px[i]),
+                colour);
+  }
+}
+
 void hatch(Sheet& sheet, std::span<const std::vector<Point2>> rings_px, double spacing_px,
            double width_px, Rgba colour) {
   // The lines are x + y = level; along one, places are told by x - y.

@@ -45,6 +45,10 @@ void stroke(Sheet& sheet, std::span<const Eigen::Vector3d> points_px, double wid
 void stroke(Sheet& sheet, std::span<const Eigen::Vector2d> points_px, double width_px, Rgba colour,
             bool closed = false);
 
+// A line whose width changes along it, with one width for each point and butt joints.
+void stroke_tapered(Sheet& sheet, std::span<const Eigen::Vector3d> points_px,
+                    std::span<const double> widths_px, Rgba colour);
+
 // Parallel lines rising to the right inside a polygon of one or more rings (even-odd).
 void hatch(Sheet& sheet, std::span<const std::vector<Eigen::Vector2d>> rings_px, double spacing_px,
            double width_px, Rgba colour);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "render/shaders.h"
 
@@ -12,7 +13,13 @@ constexpr std::array<std::uint8_t, 4> kNoCoverage{};
 
 }  // namespace
 
-Eigen::Vector3f sun_direction() { return Eigen::Vector3f(-1.0F, 1.0F, 1.3F).normalized(); }
+Eigen::Vector3f map_sun() { return Eigen::Vector3f(-1.0F, 1.0F, 1.3F).normalized(); }
+
+Eigen::Vector3f sun_for(double heading_rad) {
+  constexpr double kLeft_rad = 2.0;
+  const double azimuth = heading_rad + kLeft_rad;
+  return Eigen::Vector3d(std::cos(azimuth), std::sin(azimuth), 0.95).normalized().cast<float>();
+}
 
 SurfaceCoverage::SurfaceCoverage(const CoverageClasses& classes)
     : origin_W_(classes.origin_W.cast<float>()),
@@ -27,7 +34,7 @@ void paint_surface(const GlTriangles& surface, const Eigen::Matrix4f& clip,
   const GlProgram program(kSolidVertexShader, kTerrainFragmentShader);
   program.use();
   program.set("clip_from_D", clip);
-  program.set("to_sun", sun_direction());
+  program.set("to_sun", look.to_sun);
   program.set("shading", look.shading);
   program.set("classes_origin", coverage.origin_W_);
   program.set("classes_size", coverage.size_m_);
@@ -50,21 +57,21 @@ void paint_surface(const GlTriangles& surface, const Eigen::Matrix4f& clip,
 }
 
 void paint_solids(const GlTriangles& solids, const Eigen::Matrix4f& clip,
-                  const Eigen::Vector3d& eye_D) {
+                  const Eigen::Vector3d& eye_D, const Eigen::Vector3f& to_sun) {
   const GlProgram program(kSolidVertexShader, kSolidFragmentShader);
   program.use();
   program.set("clip_from_D", clip);
-  program.set("to_sun", sun_direction());
+  program.set("to_sun", to_sun);
   program.set("eye_D", Eigen::Vector3f(eye_D.cast<float>()));
   glEnable(GL_DEPTH_TEST);
   solids.draw();
 }
 
 void paint_shadow(const Mesh& body, const Eigen::Vector3d& p_D, const Eigen::Vector3d& normal_D,
-                  const Eigen::Matrix4f& clip) {
+                  const Eigen::Matrix4f& clip, const Eigen::Vector3f& to_sun) {
   constexpr Rgba kShadow{20, 18, 24, 105};
   const Eigen::Vector3f normal = normal_D.normalized().cast<float>();
-  const Eigen::Vector3f ray = sun_direction() / sun_direction().dot(normal);
+  const Eigen::Vector3f ray = to_sun / to_sun.dot(normal);
   const Eigen::Vector3f foot = p_D.cast<float>();
   Mesh shadow = body;
   for (MeshVertex& vertex : shadow.vertices) {

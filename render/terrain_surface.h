@@ -8,14 +8,17 @@
 
 namespace headland {
 
-// From north-west, the way relief on maps is lit.
-Eigen::Vector3f sun_direction();
+// Unit vector to the sun: from north-west, the way relief on maps is lit, and for a camera that
+// looks along `heading_rad`, from its left and a little behind it.
+Eigen::Vector3f map_sun();
+Eigen::Vector3f sun_for(double heading_rad);
 
 struct SurfaceLook {
   Rgba once;
   Rgba twice;
   Rgba thrice;
   Rgba missed;
+  Eigen::Vector3f to_sun = map_sun();
   float shading = 0.8F;
   float contour_step_D = 0.0F;  // 0: none
   Rgba contour{60, 50, 40, 110};
@@ -45,10 +48,10 @@ void paint_surface(const GlTriangles& surface, const Eigen::Matrix4f& clip,
 
 // Paints solid bodies likewise, as seen from `eye_D`.
 void paint_solids(const GlTriangles& solids, const Eigen::Matrix4f& clip,
-                  const Eigen::Vector3d& eye_D);
+                  const Eigen::Vector3d& eye_D, const Eigen::Vector3f& to_sun);
 
 // Paints the shadow that a body casts on the plane through p_D with the given normal.
 void paint_shadow(const Mesh& body, const Eigen::Vector3d& p_D, const Eigen::Vector3d& normal_D,
-                  const Eigen::Matrix4f& clip);
+                  const Eigen::Matrix4f& clip, const Eigen::Vector3f& to_sun);
 
 }  // namespace headland

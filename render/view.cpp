@@ -18,8 +18,9 @@ namespace {
 using Point2 = Eigen::Vector2d;
 using Point3 = Eigen::Vector3d;
 
-SurfaceLook soil_look() {
+SurfaceLook soil_look(const FieldView& view) {
   SurfaceLook look;
+  look.to_sun = sun_for(view.heading_rad);
   look.once = colours::kWorked;
   look.twice = colours::kWorkedTwice;
   look.thrice = colours::kWorkedThrice;
@@ -39,25 +40,35 @@ std::vector<Point3> seen(const Camera& camera, const std::vector<Point3>& line_D
   return thinned(line, 0.5);
 }
 
-// Lines along the strips at a share of the width from the left (0) to the right end (1).
+// Lines along the strips at a share of the width from the left (0) to the right end (1), as wide
+// as `width_m` of the ground there: with distance they fade of themselves.
 void draw_strip_line(Sheet& sheet, const PictureScene& scene, const FieldView& view, double share,
-                     double width_px, Rgba colour) {
+                     double width_m, Rgba colour) {
   constexpr double kLift_m = 0.03;
+  constexpr double kSpacing_px = 1.0;
+  constexpr double kThinnest_px = 0.12;
   std::vector<Point3> line;
+  std::vector<double> widths;
   const auto flush = [&] {
-    stroke(sheet, seen(view.camera, line), width_px, colour);
+    stroke_tapered(sheet, line, widths, colour);
     line.clear();
+    widths.clear();
   };
   for (const FootprintSample& footprint : scene.run.footprints) {
     if (footprint.starts_strip) flush();
     const Point2 p_W = footprint.left_W + share * (footprint.right_W - footprint.left_W);
     const bool in_block = (p_W.array() >= view.block.low.array()).all() &&
                           (p_W.array() <= view.block.high.array()).all();
-    if (!in_block) {
+    const Point3 p_D = on_ground(scene.terrain, view.relief, p_W) + Point3(0.0, 0.0, kLift_m);
+    const Point3 pixel = pixel_of(view.camera, p_D);
+    const double width_px = width_m * view.camera.focal_px / (p_D - view.camera.eye_D).norm();
+    if (!in_block || !(pixel.z() > -1.0 && pixel.z() < 1.0) || width_px < kThinnest_px) {
       flush();
       continue;
     }
-    line.push_back(on_ground(scene.terrain, view.relief, p_W) + Point3(0.0, 0.0, kLift_m));
+    if (!line.empty() && (pixel - line.back()).head<2>().norm() < kSpacing_px) continue;
+    line.push_back(pixel);
+    widths.push_back(width_px);
   }
   flush();
 }
@@ -85,10 +96,11 @@ void paint_obstacles(const PictureScene& scene, const FieldView& view) {
                          surface_at(scene.terrain, obstacle.p_W.x(), obstacle.p_W.y()).gradient;
     Mesh mesh;
     append(mesh, obstacle_mesh(obstacle), Eigen::Isometry3d(Eigen::Translation3d(foot)));
-    paint_shadow(mesh, foot, {-slope.x(), -slope.y(), 1.0}, clip);
+    paint_shadow(mesh, foot, {-slope.x(), -slope.y(), 1.0}, clip, sun_for(view.heading_rad));
     append(all, mesh, Eigen::Isometry3d::Identity());
   }
-  if (!all.indices.empty()) paint_solids(upload(all), clip, view.camera.eye_D);
+  if (!all.indices.empty())
+    paint_solids(upload(all), clip, view.camera.eye_D, sun_for(view.heading_rad));
 }
 
 void paint_vehicle(const PictureScene& scene, const FieldView& view, const VehicleMesh& vehicle,
@@ -99,8 +111,9 @@ void paint_vehicle(const PictureScene& scene, const FieldView& view, const Vehic
   Mesh mesh;
   append(mesh, vehicle.mesh, X_DB);
   const Eigen::Matrix4f clip = clip_from_D(view.camera);
-  paint_shadow(mesh, X_DB.translation(), {-slope.x(), -slope.y(), 1.0}, clip);
-  paint_solids(upload(mesh), clip, view.camera.eye_D);
+  paint_shadow(mesh, X_DB.translation(), {-slope.x(), -slope.y(), 1.0}, clip,
+               sun_for(view.heading_rad));
+  paint_solids(upload(mesh), clip, view.camera.eye_D, sun_for(view.heading_rad));
 }
 
 void paint_block(const PictureScene& scene, const FieldView& view, const SurfaceCoverage& coverage,
@@ -110,19 +123,19 @@ void paint_block(const PictureScene& scene, const FieldView& view, const Surface
   paint_surface(upload(top), clip, coverage, look);
   const Mesh sides =
       relief_sides(scene.terrain, view.relief, view.block, view.bottom_D, colours::kBlockSide);
-  paint_solids(upload(sides), clip, view.camera.eye_D);
+  paint_solids(upload(sides), clip, view.camera.eye_D, sun_for(view.heading_rad));
 }
 
 // The whole field into the page's main box.
 void paint_field(const PictureScene& scene, const Page& page, const FieldView& view,
                  const SurfaceCoverage& coverage, const Typeface& typeface) {
   look_through(view.camera.view_px, page.size_px.y());
-  paint_block(scene, view, coverage, soil_look());
+  paint_block(scene, view, coverage, soil_look(view));
   Sheet lines;
-  constexpr Rgba kStripEdge{70, 48, 30, 90};
-  const double edge_px = std::max(0.6, page.px(0.8));
-  draw_strip_line(lines, scene, view, 0.0, edge_px, kStripEdge);
-  draw_strip_line(lines, scene, view, 1.0, edge_px, kStripEdge);
+  constexpr Rgba kStripEdge{70, 48, 30, 130};
+  const double edge_m = 0.04 * scene.vehicle.implement.working_width_m;
+  draw_strip_line(lines, scene, view, 0.0, edge_m, kStripEdge);
+  draw_strip_line(lines, scene, view, 1.0, edge_m, kStripEdge);
   draw_boundaries(lines, scene, view, std::max(1.2, page.px(2.0)));
   paint(lines, typeface, page.size_px, true);
   look_through(view.camera.view_px, page.size_px.y());
@@ -141,7 +154,7 @@ void paint_close_up(const PictureScene& scene, const Page& page, const FieldView
   paint(sky, typeface, page.size_px);
   glClear(GL_DEPTH_BUFFER_BIT);
   look_through(box, page.size_px.y());
-  SurfaceLook look = soil_look();
+  SurfaceLook look = soil_look(view);
   look.fade_centre_W = sample.p_WB.head<2>().cast<float>();
   look.fade_from_m = 40.0F;
   look.fade_to_m = 150.0F;
@@ -151,9 +164,12 @@ void paint_close_up(const PictureScene& scene, const Page& page, const FieldView
 
   Sheet lines;
   constexpr Rgba kFurrow{70, 48, 30, 70};
-  constexpr int kFurrows = 8;
-  for (int i = 0; i <= kFurrows; ++i) {
-    draw_strip_line(lines, scene, view, static_cast<double>(i) / kFurrows, page.px(1.0), kFurrow);
+  constexpr double kFurrowSpacing_m = 0.5;
+  constexpr double kFurrowWidth_m = 0.06;
+  const int furrows =
+      std::max(1, static_cast<int>(scene.vehicle.implement.working_width_m / kFurrowSpacing_m));
+  for (int i = 0; i <= furrows; ++i) {
+    draw_strip_line(lines, scene, view, static_cast<double>(i) / furrows, kFurrowWidth_m, kFurrow);
   }
   draw_boundaries(lines, scene, view, page.px(2.0));
   paint(lines, typeface, page.size_px, true);
@@ -163,11 +179,15 @@ void paint_close_up(const PictureScene& scene, const Page& page, const FieldView
 }
 
 // Ring around the vehicle in the whole view and a line from there to the close-up.
-void draw_pointer(Sheet& sheet, const Page& page, const FieldView& view, const RunSample& sample,
-                  const Box& close_up_px) {
-  const Point3 pixel = pixel_of(view.camera, pose_in_D(sample, view.relief).translation());
-  const Point2 centre = pixel.head<2>();
-  const double radius = page.px(15);
+void draw_pointer(Sheet& sheet, const Page& page, const FieldView& view, const Vehicle& vehicle,
+                  const RunSample& sample, const Box& close_up_px) {
+  const Body& body = vehicle.body;
+  const Point3 middle =
+      pose_in_D(sample, view.relief) *
+      Point3(0.5 * body.length_m - body.rear_overhang_m, 0.0, 0.5 * body.height_m);
+  const Point2 centre = pixel_of(view.camera, middle).head<2>();
+  const double px_per_m = view.camera.focal_px / (middle - view.camera.eye_D).norm();
+  const double radius = std::max(page.px(15), 0.75 * body.length_m * px_per_m);
   constexpr int kCorners = 40;
   std::vector<Point2> ring;
   for (int i = 0; i < kCorners; ++i) {
@@ -252,7 +272,7 @@ Image draw_view(const PictureScene& scene, const PictureSize& size) {
                   std::round(0.72 * page.column.width)};
     paint_close_up(scene, page, close_up(scene, *sample, box), coverage, vehicle, *sample,
                    typeface);
-    draw_pointer(margin, page, view, *sample, box);
+    draw_pointer(margin, page, view, scene.vehicle, *sample, box);
     frame_box(margin, box, std::max(1.0, std::round(page.px(1))), colours::kInkSoft);
     legend.y_px = box.bottom() + page.px(6);
     legend_end(legend, scene, vehicle, *sample);
