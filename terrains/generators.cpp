@@ -42,7 +42,7 @@ double rolling(double x_m, double y_m, const Parameters& parameters, std::uint64
     // 7 has no factor in common with 10: neighbouring directions get unlike lengths.
     const double spread = static_cast<double>((wave * 7) % kWaves) / (kWaves - 1);
     const double length_m =
-        wavelength_m * kShortestWave * std::pow(kLongestWave / kShortestWave, spread);
+        wavelength_m * (kShortestWave + spread * (kLongestWave - kShortestWave));
     const double s_m = x_m * std::cos(direction_rad) + y_m * std::sin(direction_rad);
     sum += std::cos(2.0 * kPi * s_m / length_m + phase_rad);
   }

@@ -194,17 +194,18 @@ struct NodeOfField {
 };
 
 // Refuses the raster when nodes of the field have no height.
-void require_cover(const std::vector<NodeOfField>& unknown, const Field& field, double cell_m,
-                   const std::string& file) {
-  if (unknown.empty()) return;
+void require_cover(const std::vector<NodeOfField>& unknown, bool any_known, const Field& field,
+                   double cell_m, const std::string& file) {
   const double node_m2 = cell_m * cell_m;
   const auto outside = std::ranges::count(unknown, false, &NodeOfField::in_raster);
-  if (outside > 0) {
-    const double percent =
-        std::min(100.0, 100.0 * static_cast<double>(outside) * node_m2 / field_area_m2(field));
+  const bool elsewhere = !any_known && outside == std::ssize(unknown);
+  if (elsewhere || outside > 0) {
+    const double counted = static_cast<double>(outside) * node_m2 / field_area_m2(field);
+    const double percent = elsewhere ? 100.0 : std::min(100.0, 100.0 * counted);
     throw InputError(file, "", "",
-                     fmt::format("does not cover the field: {:.2g} % of it is missing", percent));
+                     fmt::format("does not cover the field: {:.3g} % of it is missing", percent));
   }
+  if (unknown.empty()) return;
   Eigen::Vector2d mean_W = Eigen::Vector2d::Zero();
   for (const NodeOfField& node : unknown) mean_W += node.p_W / static_cast<double>(unknown.size());
   const auto middle = std::ranges::min_element(
@@ -278,9 +279,10 @@ void read_raster(const std::filesystem::path& path, const std::string& crs, cons
                            pixels[i].y() <= height.view->GetRasterYSize();
     unknown.push_back({unknown_W[i], in_raster});
   }
-  require_cover(unknown, field, terrain.cell_m, file);
-  if (std::ranges::find(known, 1) == known.end()) {
-    throw InputError(file, "", "", "does not cover the field: 100 % of it is missing");
+  const bool any_known = std::ranges::find(known, 1) != known.end();
+  require_cover(unknown, any_known, field, terrain.cell_m, file);
+  if (!any_known) {
+    throw InputError(file, "", "", "has no data around the field");
   }
   carry_heights_outwards(known, terrain);
 }
