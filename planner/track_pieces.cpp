@@ -45,14 +45,15 @@ void keep_needed(const Points& points, std::size_t first, std::size_t last, doub
   }
 }
 
-Points simplified(const Points& points, double tolerance_m) {
+// Indices of the points that are kept.
+std::vector<std::size_t> simplified(const Points& points, double tolerance_m) {
   std::vector<char> kept(points.size(), 0);
   kept.front() = 1;
   kept.back() = 1;
   keep_needed(points, 0, points.size() - 1, tolerance_m, kept);
-  Points result;
+  std::vector<std::size_t> result;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (kept[i] != 0) result.push_back(points[i]);
+    if (kept[i] != 0) result.push_back(i);
   }
   return result;
 }
@@ -121,6 +122,36 @@ void draw_back(Vector2d& end, const Vector2d& neighbour, double by_m) {
   end += by_m * (neighbour - end).normalized();
 }
 
+// The piece as chords, from one corner to the other: where it was drawn back from a corner the
+// turn there is not the piece's deviation.
+Points chords_of(const TrackPiece& piece, const Vector2d& begin, const Vector2d& end) {
+  Points chords = {begin, piece.start.p_W};
+  Pose pose = piece.start;
+  for (const Arc& arc : piece.arcs) {
+    const double step_m = arc.curvature_per_m == 0.0 ? arc.length_m : kPathSpacing_m;
+    const int steps = std::max(1, static_cast<int>(std::ceil(arc.length_m / step_m)));
+    for (int i = 1; i <= steps; ++i) {
+      chords.push_back(pose_along(pose, arc, arc.length_m * i / steps).p_W);
+    }
+    pose = pose_along(pose, arc, arc.length_m);
+  }
+  chords.push_back(end);
+  return chords;
+}
+
+double greatest_distance_m(const Points& points, std::size_t first, std::size_t last,
+                           const Points& chords) {
+  double greatest_m = 0.0;
+  for (std::size_t i = first; i <= last; ++i) {
+    double nearest_m = std::numeric_limits<double>::max();
+    for (std::size_t k = 1; k < chords.size(); ++k) {
+      nearest_m = std::min(nearest_m, distance_to_segment(points[i], chords[k - 1], chords[k]));
+    }
+    greatest_m = std::max(greatest_m, nearest_m);
+  }
+  return greatest_m;
+}
+
 struct Cutting {
   double tolerance_m;
   double radius_m;
@@ -128,38 +159,54 @@ struct Cutting {
   TrackPieces result;
 };
 
-void add_piece(Cutting& cutting, const Points& line) {
-  if (line.size() < 2 || length_m(line) < kMinPiece_m) {
+// Between the corners first and last of the stretch, drawn back by so much at both.
+void add_piece(Cutting& cutting, const Points& stretch, const std::vector<std::size_t>& kept,
+               double on_m, double back_m) {
+  Points line;
+  for (const std::size_t index : kept) line.push_back(stretch[index]);
+  if (line.size() < 2 || length_m(line) - on_m - back_m < kMinPiece_m) {
     cutting.result.dropped_W.push_back(line[line.size() / 2]);
     return;
   }
-  cutting.result.pieces.push_back(rounded_piece(line, corners_of(line, 0.5 * cutting.tolerance_m)));
+  const Vector2d begin = line.front();
+  const Vector2d end = line.back();
+  draw_back(line.front(), line[1], on_m);
+  draw_back(line.back(), line[line.size() - 2], back_m);
+  TrackPiece piece = rounded_piece(line, corners_of(line, 0.5 * cutting.tolerance_m));
+  piece.max_deviation_m =
+      greatest_distance_m(stretch, kept.front(), kept.back(), chords_of(piece, begin, end));
+  cutting.result.pieces.push_back(std::move(piece));
 }
 
-// Cuts the line at its sharpest corner while there is one tighter than the vehicle.
-void cut(Cutting& cutting, Points line) {
-  while (line.size() > 2) {
+// Cuts the stretch at every corner tighter than the vehicle.
+void cut(Cutting& cutting, const Points& stretch) {
+  std::vector<std::size_t> kept = simplified(stretch, 0.5 * cutting.tolerance_m);
+  double on_m = 0.0;  // the rest is drawn back from its first corner by this
+  while (kept.size() > 2) {
+    Points line;
+    for (const std::size_t index : kept) line.push_back(stretch[index]);
+    draw_back(line.front(), line[1], on_m);
     const std::vector<Corner> corners = corners_of(line, 0.5 * cutting.tolerance_m);
-    std::size_t first = 1;
-    while (first + 1 < line.size() && corners[first].radius_m >= cutting.radius_m) ++first;
-    if (first + 1 == line.size()) break;
-    Points before(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(first) + 1);
-    Points after(line.begin() + static_cast<std::ptrdiff_t>(first), line.end());
+    std::size_t at = 1;
+    while (at + 1 < line.size() && corners[at].radius_m >= cutting.radius_m) ++at;
+    if (at + 1 == line.size()) break;
     ++cutting.result.cut_corners;
-    cutting.result.corners_W.push_back(line[first]);
-    const double tangent_m = cutting.radius_m * corners[first].half_tan;
-    const double back_m = std::max(0.0, tangent_m + cutting.ahead_m);
-    const double on_m = std::max(0.0, tangent_m - cutting.ahead_m);
-    if (std::abs(corners[first].angle_rad) <= kTrimmedAngle_rad &&
-        back_m < (line[first] - line[first - 1]).norm() &&
-        on_m < (line[first + 1] - line[first]).norm()) {
-      draw_back(before.back(), before[before.size() - 2], back_m);
-      draw_back(after.front(), after[1], on_m);
+    cutting.result.corners_W.push_back(line[at]);
+    const double tangent_m = cutting.radius_m * corners[at].half_tan;
+    double back_m = std::max(0.0, tangent_m + cutting.ahead_m);
+    double next_on_m = std::max(0.0, tangent_m - cutting.ahead_m);
+    if (std::abs(corners[at].angle_rad) > kTrimmedAngle_rad ||
+        back_m >= (line[at] - line[at - 1]).norm() ||
+        next_on_m >= (line[at + 1] - line[at]).norm()) {
+      back_m = 0.0;
+      next_on_m = 0.0;
     }
-    add_piece(cutting, before);
-    line = std::move(after);
+    const auto split = kept.begin() + static_cast<std::ptrdiff_t>(at);
+    add_piece(cutting, stretch, {kept.begin(), split + 1}, on_m, back_m);
+    kept.erase(kept.begin(), split);
+    on_m = next_on_m;
   }
-  add_piece(cutting, line);
+  add_piece(cutting, stretch, kept, on_m, 0.0);
 }
 
 }  // namespace
@@ -173,8 +220,7 @@ TrackPieces track_pieces(const Track& track, double tolerance_m, double radius_m
     const Points stretch(track.points_W.begin() + static_cast<std::ptrdiff_t>(begin),
                          track.points_W.begin() + static_cast<std::ptrdiff_t>(end));
     begin = end;
-    if (stretch.empty()) continue;
-    cut(cutting, simplified(stretch, 0.5 * tolerance_m));
+    if (!stretch.empty()) cut(cutting, stretch);
   }
   return std::move(cutting.result);
 }
