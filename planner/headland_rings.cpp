@@ -73,29 +73,29 @@ Headland make_headland(const PlanRequest& request, int rounds) {
   headland.width_m = first_m + (rounds - 0.5) * width_m;
   headland.drivable = buffered(field, -first_m, Join::kRound);
   headland.inner = buffered(field, -headland.width_m, Join::kRound);
-  PolygonSet inside_first;
-  std::vector<PolygonSet> worked{headland.inner};
+  std::vector<PolygonSet> inner{headland.inner};
+  PolygonSet inside_before;
   for (int round = 0; round < rounds; ++round) {
     const double distance_m = first_m + round * width_m;
     // A corner that sticks into the ground is passed at constant distance where the vehicle can
     // follow that arc, else along its sharp offset, rounded.
     const Join join = distance_m < radius_m ? Join::kMitre : Join::kRound;
     const PolygonSet ground = rounded(buffered(field, -distance_m, join), radius_m, field, first_m);
-    const std::size_t before = headland.rings.size();
     append_rings(ground, round, request.turning_radius_m, headland.rings);
-    if (round == 0) inside_first = buffered(ground, -width_m / 2.0, Join::kRound);
-    for (std::size_t i = before; i < headland.rings.size(); ++i) {
-      worked.push_back(strip(headland.rings[i].line_W, width_m));
+    if (round > 0) {
+      inner.push_back(worth_working(
+          difference(inside_before, buffered(ground, width_m / 2.0, Join::kRound)), width_m));
     }
+    inside_before = buffered(ground, -width_m / 2.0, Join::kRound);
   }
+  inner.push_back(worth_working(difference(inside_before, headland.inner), width_m));
+  headland.inner = united(inner);
   if (headland.rings.empty()) {
     throw PlanInfeasible(fmt::format(
         "the turning radius fits nowhere: a round inside the boundary needs ground {:.1f} m wide "
         "(working width {:.2f} m, turning radius {:.2f} m)",
         2.0 * (first_m + radius_m), width_m, request.turning_radius_m));
   }
-  const PolygonSet left = worth_working(difference(inside_first, united(worked)), width_m);
-  if (!left.parts.empty()) headland.inner = united(std::vector{headland.inner, left});
   return headland;
 }
 

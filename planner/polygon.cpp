@@ -222,6 +222,22 @@ PolygonSet united(std::span<const PolygonSet> sets) {
             "union"));
 }
 
+bool covers(const PolygonSet& whole, const PolygonSet& part) {
+  if (part.parts.empty()) return true;
+  const Geos geos;
+  const Geometry whole_geometry = geometry_of(geos, whole);
+  const auto destroy = [&](const GEOSPreparedGeometry* prepared) {
+    GEOSPreparedGeom_destroy_r(geos.handle(), prepared);
+  };
+  const std::unique_ptr<const GEOSPreparedGeometry, decltype(destroy)> prepared(
+      GEOSPrepare_r(geos.handle(), whole_geometry.get()), destroy);
+  if (!prepared) geos.fail("covers");
+  const char answer =
+      GEOSPreparedCovers_r(geos.handle(), prepared.get(), geometry_of(geos, part).get());
+  if (answer > 1) geos.fail("covers");
+  return answer == 1;
+}
+
 PolygonSet strip(const Polyline& line, double width_m) {
   if (!(length_m(line) > 0.0)) return {};
   const Geos geos;

@@ -49,6 +49,9 @@ PolygonSet difference(const PolygonSet& a, const PolygonSet& b);
 PolygonSet intersection(const PolygonSet& a, const PolygonSet& b);
 PolygonSet united(std::span<const PolygonSet> sets);
 
+// Whether all of `part` lies in `whole`, edges included; much cheaper than a difference.
+bool covers(const PolygonSet& whole, const PolygonSet& part);
+
 // What a bar of width_m leaves worked when its middle is pulled along `line`: flat ends, round
 // joins. Empty for a line without length.
 PolygonSet strip(const Polyline& line, double width_m);

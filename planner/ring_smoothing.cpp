@@ -38,11 +38,6 @@ PolygonSet opened_by(const PolygonSet& set, double radius_m) {
   return in_steps(buffered(set, -radius_m, Join::kRound, quadrant_segments(radius_m)), radius_m);
 }
 
-// Where `ground` lies outside of what keeps the clearance.
-PolygonSet excess(const PolygonSet& ground, const PolygonSet& clear) {
-  return difference(ground, clear);
-}
-
 }  // namespace
 
 PolygonSet rounded(const PolygonSet& ground, double radius_m, const PolygonSet& limit,
@@ -50,15 +45,15 @@ PolygonSet rounded(const PolygonSet& ground, double radius_m, const PolygonSet& 
   const PolygonSet clear =
       buffered(limit, -(clearance_m - kClearanceSlack * radius_m), Join::kRound);
   PolygonSet free = closed_by(ground, radius_m);
-  const PolygonSet too_near = excess(free, clear);
-  if (!too_near.parts.empty()) {
+  if (!covers(clear, free)) {
+    const PolygonSet too_near = difference(free, clear);
     // The smallest shift of the boundary with which closing keeps the clearance everywhere.
     double low_m = 0.0;
     double high_m = radius_m;
     for (int i = 0; i < kSwingBisections; ++i) {
       const double shift_m = 0.5 * (low_m + high_m);
       const PolygonSet shifted = closed_by(buffered(ground, -shift_m, Join::kMitre), radius_m);
-      (excess(shifted, clear).parts.empty() ? high_m : low_m) = shift_m;
+      (covers(clear, shifted) ? high_m : low_m) = shift_m;
     }
     // Shifting only around those places: a union of sets that a disc can be rolled around inside
     // is such a set again, so the swing keeps the radius.

@@ -113,6 +113,14 @@ TEST(Polygon, InclusionExclusionHoldsForAnyTwoRectangles) {
   });
 }
 
+TEST(Polygon, CoversWhatLiesInsideAndNothingElse) {
+  const PolygonSet holed = from_field(square_with_hole());
+  EXPECT_TRUE(covers(holed, ground(rectangle(0, 0, 40, 100))));
+  EXPECT_FALSE(covers(holed, ground(rectangle(0, 0, 41, 100))));
+  EXPECT_FALSE(covers(holed, ground(rectangle(45, 45, 55, 55))));
+  EXPECT_TRUE(covers(holed, PolygonSet{}));
+}
+
 TEST(Polygon, StripOfAStraightLineIsARectangle) {
   const Polyline line{{0, 0}, {30, 40}};
   EXPECT_NEAR(area_m2(strip(line, 3.0)), 150.0, kAreaTolerance_m2);
