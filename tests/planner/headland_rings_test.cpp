@@ -1,0 +1,173 @@
+#include "planner/headland_rings.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "planner/ring_smoothing.h"
+#include "tests/planner/field_shapes.h"
+
+namespace headland {
+namespace {
+
+using std::numbers::pi;
+
+// The filter shortens a corner by sigma^2 / (2 R^2) = 0.5 % of its arc, chords by less.
+constexpr double kRingLengthRatio = 2e-3;
+// Rings are rounded with 3 % more than the turning radius, see headland_rings.cpp.
+constexpr double kRounding = 1.03;
+
+PlanRequest tractor(const Field& field) { return tractor_request(field, "boustrophedon"); }
+
+std::ptrdiff_t rings_of_round(const Headland& headland, int round) {
+  return std::ranges::count(headland.rings, round, &HeadlandRing::round);
+}
+
+TEST(HeadlandRings, TurningDepthFollowsItsFormula) {
+  const Field square = field_of("square", rectangle_ring(0, 0, 150, 150));
+  // The implement reaches further than the hull's corner: 1.6 + 5 + 4.5.
+  EXPECT_DOUBLE_EQ(turning_depth_m(tractor(square)), 11.1);
+  EXPECT_EQ(rounds_for_turning(tractor(square)), 2);
+  // The hull's front corner reaches further: 0.9 + hypot(2.6 + 0.6, 2.3).
+  const PlanRequest narrow = transplanter_request(square, "boustrophedon");
+  EXPECT_DOUBLE_EQ(turning_depth_m(narrow), 0.9 + std::hypot(3.2, 2.3));
+  EXPECT_EQ(rounds_for_turning(narrow), 3);
+}
+
+TEST(HeadlandRings, VehicleWiderThanItsImplementKeepsTheHullInside) {
+  PlanRequest request = tractor(field_of("square", rectangle_ring(0, 0, 150, 150)));
+  EXPECT_DOUBLE_EQ(first_ring_distance_m(request), 4.5);
+  request.working_width_m = 1.5;
+  EXPECT_DOUBLE_EQ(first_ring_distance_m(request), 1.1 + kHullClearance_m);
+  const Headland headland = make_headland(request, 2);
+  EXPECT_DOUBLE_EQ(headland.width_m, 1.1 + kHullClearance_m + 1.5 + 0.75);
+}
+
+TEST(HeadlandRings, SquareHasRoundedSquaresOneWidthApart) {
+  const Headland headland =
+      make_headland(tractor(field_of("s", rectangle_ring(0, 0, 150, 150))), 2);
+  ASSERT_EQ(headland.rings.size(), 2U);
+  EXPECT_DOUBLE_EQ(headland.width_m, 18.0);
+  EXPECT_NEAR(area_m2(headland.inner), 114.0 * 114.0, 1e-3);
+  for (int round = 0; round < 2; ++round) {
+    const double side_m = 150.0 - 9.0 - 18.0 * round;
+    const double radius_m = kRounding * 5.0;
+    const double expected_m = 4.0 * side_m - (8.0 - 2.0 * pi) * radius_m;
+    EXPECT_NEAR(length_m(headland.rings[static_cast<std::size_t>(round)].line_W), expected_m,
+                kRingLengthRatio * expected_m);
+  }
+}
+
+TEST(HeadlandRings, RoundHoleIsGoneAroundAtConstantDistance) {
+  Field field = field_of("holed", rectangle_ring(-100, -100, 100, 100));
+  field.holes = {reversed(regular_ring({0, 0}, 20.0, 128))};
+  const Headland headland = make_headland(tractor(field), 1);
+  const auto ring = std::ranges::find(headland.rings, true, &HeadlandRing::around_hole);
+  ASSERT_NE(ring, headland.rings.end());
+  for (const Eigen::Vector2d& p_W : ring->line_W) {
+    EXPECT_NEAR(p_W.norm(), 24.5, 0.01 * 5.0);  // rounding: 1 % of the radius
+  }
+}
+
+TEST(HeadlandRings, TreeThinnerThanTheTurningCircleIsGoneAroundOnThatCircle) {
+  Field field = field_of("tree", rectangle_ring(-60, -60, 60, 60));
+  field.obstacles = {{ObstacleKind::kTree, {0, 0}, 0.3, 5.0}};
+  const PlanRequest request = transplanter_request(field, "boustrophedon");
+  const Headland headland = make_headland(request, 1);
+  const auto ring = std::ranges::find(headland.rings, true, &HeadlandRing::around_hole);
+  ASSERT_NE(ring, headland.rings.end());
+  for (const Eigen::Vector2d& p_W : ring->line_W) {
+    EXPECT_GE(p_W.norm(), request.turning_radius_m);
+    EXPECT_LE(p_W.norm(), 1.1 * kRounding * request.turning_radius_m);
+  }
+}
+
+// At a corner that sticks into the field the arc of half the working width is too tight: the ring
+// swings out there, and only there.
+TEST(HeadlandRings, RingSwingsOutAtACornerIntoTheField) {
+  const Field field = field_of("l", {{0, 0}, {100, 0}, {100, 50}, {50, 50}, {50, 100}, {0, 100}});
+  const PlanRequest request = transplanter_request(field, "boustrophedon");
+  const Headland headland = make_headland(request, 1);
+  ASSERT_EQ(headland.rings.size(), 1U);
+  EXPECT_GE(tightest_radius_m(headland.rings[0].line_W, 0.5), request.turning_radius_m);
+  double nearest_m = 100.0;
+  for (const Eigen::Vector2d& p_W : headland.rings[0].line_W) {
+    const double clearance_m = field_clearance_m(field, p_W);
+    nearest_m = std::min(nearest_m, clearance_m);
+    // 10 m from any corner the side's distance is as if there were none; filter and rounding in mm.
+    const bool straight = p_W.x() > 62.0 && p_W.x() < 90.0 && p_W.y() > 25.0;
+    if (straight) {
+      EXPECT_NEAR(clearance_m, 1.0, 0.01);
+    }
+  }
+  EXPECT_GE(nearest_m, 1.0 - 0.035 * request.turning_radius_m);
+}
+
+TEST(HeadlandRings, RoundsSplitWhereTheGroundIsNarrow) {
+  // Two squares joined by a passage of 26 m: the second round is 27 m narrower than the ground.
+  const Field field = field_of("neck", {{0, 0},
+                                        {100, 0},
+                                        {100, 37},
+                                        {140, 37},
+                                        {140, 0},
+                                        {240, 0},
+                                        {240, 100},
+                                        {140, 100},
+                                        {140, 63},
+                                        {100, 63},
+                                        {100, 100},
+                                        {0, 100}});
+  const Headland headland = make_headland(tractor(field), 2);
+  EXPECT_EQ(rings_of_round(headland, 0), 1);
+  EXPECT_EQ(rings_of_round(headland, 1), 2);
+}
+
+TEST(HeadlandRings, RoundsOfAHoleNearTheBoundaryBecomeOneAroundBoth) {
+  Field field = field_of("near", rectangle_ring(0, 0, 150, 150));
+  field.holes = {reversed(rectangle_ring(60, 115, 90, 130))};
+  const Headland headland = make_headland(tractor(field), 2);
+  EXPECT_EQ(rings_of_round(headland, 0), 2);
+  EXPECT_EQ(rings_of_round(headland, 1), 1);
+}
+
+TEST(HeadlandRings, GroundNoRoundReachesIsLeftToSwaths) {
+  // 24 m wide: one round takes 18 m, a second one would be 3 m from itself.
+  const Headland headland = make_headland(tractor(field_of("t", rectangle_ring(0, 0, 240, 24))), 2);
+  EXPECT_EQ(headland.rings.size(), 1U);
+  // 6 m by 222 m inside the first round, less what its arcs cut.
+  EXPECT_NEAR(area_m2(headland.inner), 6.0 * 222.0, 0.01 * 6.0 * 222.0);
+}
+
+TEST(HeadlandRings, TooNarrowForTheTurningRadiusSaysWhatWidthItTakes) {
+  try {
+    make_headland(tractor(field_of("lane", rectangle_ring(0, 0, 240, 16))), 1);
+    FAIL() << "not refused";
+  } catch (const PlanInfeasible& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("the turning radius fits nowhere"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("ground 19.3 m wide"));
+  }
+}
+
+TEST(RingSmoothing, CircleKeepsItsRadiusButForTheFilter) {
+  const double radius_m = 6.0;
+  const double sigma_m = 0.6;
+  const Polyline smooth = smoothed_ring(regular_ring({10, -5}, radius_m, 400), sigma_m);
+  EXPECT_EQ(smooth.front(), smooth.back());
+  const double shrunk_m = radius_m * std::exp(-sigma_m * sigma_m / (2.0 * radius_m * radius_m));
+  for (const Eigen::Vector2d& p_W : smooth) {
+    EXPECT_NEAR((p_W - Eigen::Vector2d(10, -5)).norm(), shrunk_m, 2e-3);  // chords of 0.25 m
+  }
+  EXPECT_NEAR(tightest_radius_m(smooth, 1.0), shrunk_m, 2e-3 * radius_m);
+}
+
+// Negative control: a ring with a sharp corner must not pass as drivable.
+TEST(RingSmoothing, TightestRadiusSeesASharpCorner) {
+  const Polyline square = smoothed_ring(rectangle_ring(0, 0, 50, 50), 0.05);
+  EXPECT_LT(tightest_radius_m(square, 1.0), 1.5);
+}
+
+}  // namespace
+}  // namespace headland
