@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include "terrains/input_error.h"
 
@@ -257,6 +258,49 @@ TEST(Coverage, IsInvariantUnderRotationAndTranslationOfTheWholeScene) {
     // Every strip edge within the field is oblique now: 31 edges of 60 m, a tenth of a cell each.
     EXPECT_NEAR(there.overlap_m2, here.overlap_m2, 31 * 60.0 * 0.1 * kCell_m);
   }
+}
+
+TEST(Coverage, AgreesCellByCellWithAskingEveryCentre) {
+  struct Strip {
+    Eigen::Vector2d from;
+    Eigen::Vector2d to;
+  };
+  constexpr double kWidth_m = 3.0;
+  std::mt19937_64 random(11);
+  const auto coordinate = [&] { return 50.0 * std::generate_canonical<double, 53>(random); };
+  std::vector<Strip> strips;
+  std::vector<FootprintSample> footprints;
+  for (int k = 0; k < 25; ++k) {
+    Strip strip{{coordinate(), coordinate()}, {coordinate(), coordinate()}};
+    strips.push_back(strip);
+    drive(footprints, strip.from, strip.to, kWidth_m);
+  }
+  const CoverageRaster raster = measure_coverage(rectangle(50.0, 50.0), footprints, kWidth_m, 0.5);
+  // Rounding decides about centres this close to an edge.
+  constexpr double kOnEdge_m = 1e-9;
+  int compared = 0;
+  for (int row = 0; row < raster.rows; ++row) {
+    for (int column = 0; column < raster.columns; ++column) {
+      const Eigen::Vector2d p_W =
+          raster.origin_W + raster.cell_m * Eigen::Vector2d(column + 0.5, row + 0.5);
+      int times = 0;
+      bool on_edge = false;
+      for (const Strip& strip : strips) {
+        const Eigen::Vector2d along = (strip.to - strip.from).normalized();
+        const Eigen::Vector2d p = p_W - strip.from;
+        const double end_m = std::min(p.dot(along), (strip.to - strip.from).norm() - p.dot(along));
+        const double side_m = 0.5 * kWidth_m - std::abs(p.x() * along.y() - p.y() * along.x());
+        const double inside_m = std::min(end_m, side_m);
+        on_edge = on_edge || std::abs(inside_m) < kOnEdge_m;
+        times += inside_m > 0.0 ? 1 : 0;
+      }
+      if (on_edge) continue;
+      ++compared;
+      ASSERT_EQ(raster.times[static_cast<std::size_t>(row * raster.columns + column)], times)
+          << p_W.transpose();
+    }
+  }
+  EXPECT_GT(compared, 10000);
 }
 
 TEST(Coverage, FootprintsThatAreNotFiniteAreLeftOut) {
