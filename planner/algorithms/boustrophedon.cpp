@@ -21,6 +21,18 @@ namespace {
 
 // Points of a ring between which its begin is looked for [m]; finer changes no turn.
 constexpr double kBeginSpacing_m = 1.0;
+// How exactly a refusal states the width that would do.
+constexpr double kWidthAnswer_m = 0.01;
+
+// Diameter [m] of the largest disc in the field, which is below too_wide_m.
+double widest_m(const PolygonSet& field, double too_wide_m) {
+  double fits_m = 0.0;
+  while (too_wide_m - fits_m > kWidthAnswer_m) {
+    const double middle_m = 0.5 * (fits_m + too_wide_m);
+    (buffered(field, -middle_m / 2.0, Join::kRound).parts.empty() ? too_wide_m : fits_m) = middle_m;
+  }
+  return fits_m;
+}
 
 void check_request(const PlanRequest& request) {
   const auto positive = [](const char* key, double value_m) {
@@ -31,13 +43,14 @@ void check_request(const PlanRequest& request) {
   positive("working_width_m", request.working_width_m);
   positive("turning_radius_m", request.turning_radius_m);
   positive("vehicle_width_m", request.vehicle_width_m);
-  if (buffered(from_field(request.field), -first_ring_distance_m(request), Join::kRound)
-          .parts.empty()) {
-    const bool hull = request.vehicle_width_m > request.working_width_m;
-    throw InputError("plan", hull ? "vehicle_width_m" : "working_width_m",
-                     fmt::format("{}", hull ? request.vehicle_width_m : request.working_width_m),
-                     fmt::format("wider than the field '{}' anywhere", request.field.name));
-  }
+  const PolygonSet field = from_field(request.field);
+  const double reach_m = first_ring_distance_m(request);
+  if (!buffered(field, -reach_m, Join::kRound).parts.empty()) return;
+  const bool hull = request.vehicle_width_m > request.working_width_m;
+  throw InputError("plan", hull ? "vehicle_width_m" : "working_width_m",
+                   fmt::format("{}", hull ? request.vehicle_width_m : request.working_width_m),
+                   fmt::format("wider than the field '{}' anywhere; at most {:.1f} m",
+                               request.field.name, widest_m(field, 2.0 * reach_m)));
 }
 
 SwathGrid make_swaths(const PlanRequest& request, const Headland& headland) {
