@@ -21,7 +21,7 @@ constexpr PathKind kKinds[] = {PathKind::kSwath, PathKind::kHeadlandPass, PathKi
                                PathKind::kUTurn, PathKind::kTransit};
 
 std::string row(std::string_view label, const std::string& value, const std::string& note = "") {
-  const std::string line = fmt::format("  {:<18}{:>14}   {}", label, value, note);
+  const std::string line = fmt::format("  {:<26}{:>12}   {}", label, value, note);
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
 
@@ -38,7 +38,7 @@ std::string place(const Peak& peak) {
 
 std::string headline(const Job& job) {
   const Scenario& scenario = job.scenario;
-  return fmt::format("{}: {} with {:.4g} m on {} of {} ground, {} terrain, seed {}\n",
+  return fmt::format("{}: {} with {:.4g} m on {} of {} ground, terrain {}, seed {}\n",
                      scenario.name, job.stage.vehicle.name, scenario.working_width_m,
                      hectares(field_area_m2(job.stage.field)), scenario.soil,
                      scenario.terrain.file.empty() ? scenario.terrain.generator
@@ -70,7 +70,7 @@ std::string figures(const DriveResult& result) {
              place(peaks.load_transfer_ratio) + " (1 lifts the wheels of a side)") +
          row("tracking error", fmt::format("{:.3f} m", m.track_rms_working_m),
              fmt::format("rms at work, worst {:.3f} m; {:.3f} m rms in turns",
-                         peaks.cross_track_working_m.value, m.track_rms_turning_m)) +
+                         std::abs(peaks.cross_track_working_m.value), m.track_rms_turning_m)) +
          row("energy ledger", fmt::format("{:.4f} %", 100.0 * m.ledger_residual_ratio),
              "unaccounted for");
 }
@@ -94,13 +94,13 @@ std::string energy_table(const RunRecord& run) {
 }
 
 std::string kind_table(const Metrics& metrics) {
-  std::string text = fmt::format("\n  {:<18}{:>8}{:>12}{:>14}{:>12}{:>10}{:>12}\n", "by movement",
+  std::string text = fmt::format("\n  {:<16}{:>6}{:>11}{:>14}{:>13}{:>11}{:>13}\n", "by movement",
                                  "count", "distance", "time", "energy", "per m", "each");
   for (const PathKind kind : kKinds) {
     const KindTotals& totals = metrics.by_kind[static_cast<std::size_t>(kind)];
     if (totals.count == 0) continue;
     const double wh = totals.energy.battery_j / kJoulePerWh;
-    text += fmt::format("  {:<18}{:>8}{:>10.0f} m{:>14}{:>9.1f} Wh{:>7.3f} Wh{:>9.2f} Wh\n",
+    text += fmt::format("  {:<16}{:>6}{:>9.0f} m{:>14}{:>10.1f} Wh{:>8.3f} Wh{:>10.2f} Wh\n",
                         path_kind_name(kind), totals.count, totals.distance_m,
                         duration_text(totals.time_s), wh,
                         totals.distance_m > 0.0 ? wh / totals.distance_m : 0.0, wh / totals.count);
@@ -164,8 +164,8 @@ std::string plan_summary(const Job& job, const PlanResult& result) {
                 fmt::format("{:.0f} m", length_of_m(result.path, kind)));
   }
   for (const PathViolation& violation : result.path.violations) {
-    text += fmt::format("  overrun: {} by {:.2f} m at x {:.1f}, y {:.1f} m\n", violation.what,
-                        violation.overrun_m, violation.p_W.x(), violation.p_W.y());
+    text += fmt::format("  does not fit at x {:.1f}, y {:.1f} m: {}\n", violation.p_W.x(),
+                        violation.p_W.y(), violation.what);
   }
   return text;
 }

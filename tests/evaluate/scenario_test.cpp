@@ -187,7 +187,8 @@ TEST_F(ScenarioTest, RefusesUnknownKeysWithTheNearestOne) {
 TEST_F(ScenarioTest, RefusesMissingKeys) {
   EXPECT_THAT(refusal(kField), AllOf(HasSubstr("vehicle"), HasSubstr("missing")));
   EXPECT_THAT(refusal("vehicle: transplanter\n"), AllOf(HasSubstr("field"), HasSubstr("missing")));
-  EXPECT_THAT(refusal("field: {layer: a}\nvehicle: transplanter\n"), HasSubstr("either field.file"));
+  EXPECT_THAT(refusal("field: {layer: a}\nvehicle: transplanter\n"),
+              HasSubstr("either field.file"));
   EXPECT_THAT(refusal("field:\n  boundary: [[0, 0], [1, 0], [0, 1]]\n  obstacles: [{kind: tree}]\n"
                       "vehicle: transplanter\n"),
               AllOf(HasSubstr("line 3: field.obstacles.at"), HasSubstr("missing")));
