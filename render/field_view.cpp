@@ -102,7 +102,7 @@ const RunSample* last_pose(const RunRecord& run) {
 FieldView close_up(const PictureScene& scene, const RunSample& sample, const Box& view_px) {
   constexpr double kDown_rad = 17.0 * kPi / 180.0;
   constexpr double kFieldOfView_rad = 34.0 * kPi / 180.0;
-  constexpr double kAside_rad = 0.66;
+  constexpr double kAside_rad = -0.66;
   constexpr double kReach_m = 160.0;
   // Beyond this width the ends of the implement may leave the picture: the vehicle is the subject.
   constexpr double kWidest_m = 10.0;

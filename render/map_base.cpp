@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 
+#include "render/field_view.h"
+
 namespace headland {
 namespace {
 
@@ -25,9 +27,9 @@ struct Ends {
 };
 
 std::optional<Ends> ends_of(const PictureScene& scene) {
-  if (!scene.run.samples.empty()) {
+  if (const RunSample* last = last_pose(scene.run)) {
     const RunSample& first = scene.run.samples.front();
-    return Ends{first.p_WB.head<2>(), scene.run.samples.back().p_WB.head<2>(), first.yaw_rad};
+    return Ends{first.p_WB.head<2>(), last->p_WB.head<2>(), first.yaw_rad};
   }
   const auto has_points = [](const PathSegment& segment) { return !segment.points.empty(); };
   const auto& segments = scene.path.segments;

@@ -52,10 +52,14 @@ Mesh wheel_mesh(const Axle& axle) {
   Mesh wheel;
   append(wheel, about_z,
          Eigen::Isometry3d(Eigen::AngleAxisd(-0.5 * std::numbers::pi, Point::UnitX())));
-  // Lugs slant from the middle outwards, alternately to either side.
+  // Lugs slant from the middle outwards, alternately to either side. Their outermost corners are
+  // at the radius, so that the wheel stands on the ground.
   constexpr int kLugs = 32;
   constexpr double kSlant_rad = 0.6;
-  const Mesh lug = box_mesh({-0.028 * r, 0.02 * w, 0.93 * r}, {0.028 * r, 0.55 * w, r},
+  const Eigen::Vector2d half(0.028 * r, 0.55 * w);
+  const double across_m = half.x() * std::cos(kSlant_rad) + half.y() * std::sin(kSlant_rad);
+  const double top_m = std::sqrt(std::max(0.0, r * r - across_m * across_m));
+  const Mesh lug = box_mesh({-half.x(), 0.02 * w, 0.90 * r}, {half.x(), half.y(), top_m},
                             mix(kTyre, {90, 90, 90}, 0.35));
   for (int k = 0; k < kLugs; ++k) {
     const double side = k % 2 == 0 ? 0.0 : std::numbers::pi;
@@ -124,10 +128,12 @@ void append_implement(Mesh& mesh, const Vehicle& vehicle, bool down) {
                     {x + outwards * 0.5 * kBetweenBars_m, y, kBarHeight_m + rise}, 0.045, kFrame),
            Eigen::Isometry3d::Identity());
   }
-  for (const double y : {-0.98 * half_m, 0.98 * half_m, -beam_half_m, beam_half_m}) {
+  constexpr double kTie_m = 0.04;
+  const double end_m = half_m - kTie_m;
+  for (const double y : {-end_m, end_m, -beam_half_m, beam_half_m}) {
     append(mesh,
            bar_mesh({x - 0.5 * kBetweenBars_m, y, kBarHeight_m},
-                    {x + 0.5 * kBetweenBars_m, y, kBarHeight_m}, 0.04, kFrame),
+                    {x + 0.5 * kBetweenBars_m, y, kBarHeight_m}, kTie_m, kFrame),
            X);
   }
 }

@@ -46,7 +46,7 @@ void draw_strip_line(Sheet& sheet, const PictureScene& scene, const FieldView& v
                      double width_m, Rgba colour) {
   constexpr double kLift_m = 0.03;
   constexpr double kSpacing_px = 1.0;
-  constexpr double kThinnest_px = 0.12;
+  constexpr double kThinnest_px = 0.2;
   std::vector<Point3> line;
   std::vector<double> widths;
   const auto flush = [&] {

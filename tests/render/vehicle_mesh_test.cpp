@@ -1,0 +1,103 @@
+#include "render/vehicle_mesh.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "render/mesh_file.h"
+#include "terrains/input_error.h"
+#include "tests/render/made_run.h"
+
+namespace headland {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kSinglePrecision_m = 1e-5;
+
+std::filesystem::path scratch(const char* name, const char* text) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "headland_mesh";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / name) << text;
+  return folder / name;
+}
+
+TEST(MeshFile, KeepsPlaceAndColourOfItsTriangles) {
+  scratch("red.mtl", "newmtl red\nKd 1.0 0.2 0.0\n");
+  const auto file =
+      scratch("one.obj", "mtllib red.mtl\nv 1 2 3\nv 2 2 3\nv 1 2 4\nusemtl red\nf 1 2 3\n");
+  const Mesh mesh = read_mesh(file);
+  ASSERT_EQ(mesh.indices.size(), 3U);
+  EXPECT_EQ(mesh.vertices[mesh.indices[0]].p, Eigen::Vector3f(1, 2, 3));
+  EXPECT_EQ(mesh.vertices[0].colour, (Rgba{255, 51, 0}));
+  EXPECT_NEAR(std::abs(mesh.vertices[0].normal.y()), 1.0, kSinglePrecision_m);
+}
+
+TEST(MeshFile, RefusesAMissingAndABrokenOne) {
+  const auto message = [](const std::filesystem::path& file) -> std::string {
+    try {
+      read_mesh(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "not refused";
+  };
+  EXPECT_THAT(message("/nowhere/body.obj"), HasSubstr("/nowhere/body.obj"));
+  EXPECT_THAT(message(scratch("noise.obj", "f 1 2 3\nf nonsense")), HasSubstr("mesh"));
+}
+
+TEST(VehicleMesh, SaysWhyTheBodyIsAPlainBox) {
+  Vehicle vehicle = level_run(10.0, 10.0, 5.0).vehicle;
+  EXPECT_THAT(vehicle_mesh(vehicle, {}).note, HasSubstr("no mesh"));
+  vehicle.mesh_file = "/nowhere/body.obj";
+  EXPECT_THAT(vehicle_mesh(vehicle, {}).note, HasSubstr("body.obj cannot be read"));
+  vehicle.mesh_file = scratch("body.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\n");
+  EXPECT_EQ(vehicle_mesh(vehicle, {}).note, "");
+}
+
+TEST(VehicleMesh, StandsOnItsWheelsAndReachesToItsSides) {
+  const Vehicle vehicle = level_run(10.0, 10.0, 5.0).vehicle;
+  RunSample sample;
+  sample.implement_down = false;
+  const Mesh mesh = vehicle_mesh(vehicle, sample).mesh;
+  float low = 1e9F;
+  float left = -1e9F;
+  for (const MeshVertex& vertex : mesh.vertices) {
+    low = std::min(low, vertex.p.z());
+    left = std::max(left, vertex.p.y());
+  }
+  // One of 32 lugs stands within 1/64 of a turn of the lowest place.
+  EXPECT_LE(low, 0.75F * (1.0F - std::cos(0.05F)));
+  EXPECT_GE(low, -kSinglePrecision_m);
+  EXPECT_NEAR(left, 0.5 * vehicle.implement.working_width_m, kSinglePrecision_m);
+}
+
+TEST(VehicleMesh, PoseFollowsTheAngleConventions) {
+  RunSample sample;
+  sample.p_WB = {10.0, 20.0, 105.0};
+  sample.yaw_rad = 0.5 * 3.14159265358979323846;
+  const Relief relief{100.0, 1.0};
+  const Eigen::Vector3d ahead(2.0, 0.0, 0.0);
+  const Eigen::Vector3d right(0.0, -1.0, 0.0);
+  EXPECT_TRUE((pose_in_D(sample, relief) * ahead).isApprox(Eigen::Vector3d(10.0, 22.0, 5.0)));
+  sample.pitch_rad = 0.1;
+  EXPECT_NEAR((pose_in_D(sample, relief) * ahead).z(), 5.0 + 2.0 * std::sin(0.1),
+              kSinglePrecision_m);
+  sample.pitch_rad = 0.0;
+  sample.roll_rad = 0.2;
+  EXPECT_NEAR((pose_in_D(sample, relief) * right).z(), 5.0 - std::sin(0.2), kSinglePrecision_m);
+}
+
+TEST(VehicleMesh, PoseOnStretchedReliefStaysOnTheGround) {
+  // On a slope of 0.1 along the heading, stretched three times, the nose follows 0.3.
+  RunSample sample;
+  sample.pitch_rad = std::atan(0.1);
+  const Eigen::Isometry3d X = pose_in_D(sample, {0.0, 3.0});
+  const Eigen::Vector3d ahead = X.linear() * Eigen::Vector3d::UnitX();
+  EXPECT_NEAR(ahead.z() / ahead.x(), 0.3, kSinglePrecision_m);
+}
+
+}  // namespace
+}  // namespace headland
