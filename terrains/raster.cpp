@@ -281,9 +281,6 @@ void read_raster(const std::filesystem::path& path, const std::string& crs, cons
   }
   const bool any_known = std::ranges::find(known, 1) != known.end();
   require_cover(unknown, any_known, field, terrain.cell_m, file);
-  if (!any_known) {
-    throw InputError(file, "", "", "has no data around the field");
-  }
   carry_heights_outwards(known, terrain);
 }
 

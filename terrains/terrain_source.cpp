@@ -14,8 +14,8 @@ namespace headland {
 namespace {
 
 constexpr double kDefaultCell_m = 1.0;
-// Heights, the warp's two rasters, the carrying outwards or the noise: the most at any one time.
-constexpr double kBytesPerNode = 40.0;
+// Heights, the warp's two rasters and what finds the nodes without data, at their worst.
+constexpr double kBytesPerNode = 80.0;
 
 void require_in_range(const std::string& source, const std::string& key, double value, double min,
                       double max, const std::string& unit) {

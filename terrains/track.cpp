@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -29,7 +30,8 @@ constexpr std::array<std::string_view, 6> kLongitude = {"lon",       "lon_deg", 
                                                         "longitude", "longitude_deg", "lng"};
 constexpr std::array<std::string_view, 4> kLatitude = {"lat", "lat_deg", "latitude",
                                                        "latitude_deg"};
-constexpr std::array<std::string_view, 5> kTime = {"time_s", "t_s", "t", "time", "seconds"};
+constexpr std::array<std::string_view, 8> kTime = {"time_s",  "t_s",       "t",        "time",
+                                                   "seconds", "timestamp", "datetime", "utc"};
 constexpr std::array<std::string_view, 5> kImplement = {"implement", "implement_on",
                                                         "implement_down", "working", "engaged"};
 
@@ -79,6 +81,23 @@ Columns position_columns(const CsvTable& table, const GeoFrame& frame, const std
                    "the header must name x and y (metres) or lon and lat (degrees)");
 }
 
+// Seconds, from whenever they are counted, or a date and time of day such as ISO 8601.
+double csv_time_s(const CsvTable& table, const CsvRow& row, std::size_t column,
+                  const std::filesystem::path& file) {
+  OGRField parsed;
+  if (row.cells[column].find(':') == std::string::npos ||
+      OGRParseDate(row.cells[column].c_str(), &parsed, 0) == 0) {
+    return csv_number(table, row, column, file);
+  }
+  const auto& date = parsed.Date;
+  const std::chrono::sys_days day =
+      std::chrono::year(date.Year) / std::chrono::month(date.Month) / std::chrono::day(date.Day);
+  // GDAL: 0 and 1 are no time zone and local time, 100 is UTC, every step a quarter of an hour.
+  const int ahead_s = date.TZFlag > 1 ? (date.TZFlag - 100) * 900 : 0;
+  return std::chrono::duration<double>(day.time_since_epoch()).count() + date.Hour * 3600.0 +
+         date.Minute * 60.0 + static_cast<double>(date.Second) - ahead_s;
+}
+
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
@@ -104,7 +123,7 @@ GivenTrack track_from_csv(const std::filesystem::path& path, const GeoFrame& fra
   std::vector<double> times_s;
   if (time.has_value()) {
     for (const CsvRow& row : table.rows) {
-      times_s.push_back(csv_number(table, row, *time, path));
+      times_s.push_back(csv_time_s(table, row, *time, path));
     }
   }
   const double joined_s = longest_joined_s(times_s);

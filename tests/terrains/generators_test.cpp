@@ -169,10 +169,10 @@ TEST(Generators, TerrainTooLargeForMemoryIsRefusedBeforeItIsMade) {
   TerrainSource source = generated("flat");
   source.cell_m = 0.01;
   const std::string line = refusal([&] { read_terrain(source, square_field(2000.0), "a.yaml"); });
-  EXPECT_THAT(line, HasSubstr("a.yaml: terrain.cell_m: '0.01': 206001 x 206001 nodes need 1697.5 "
-                              "GB, 2.0 GB are allowed: give at least 0.31 m"));
-  // What it advises fits: 2060 m of nodes 0.31 m apart at 40 bytes each.
-  EXPECT_LT(40.0 * std::pow(2060.0 / 0.31 + 2.0, 2), kMaxTerrainBytes);
+  EXPECT_THAT(line, HasSubstr("a.yaml: terrain.cell_m: '0.01': 206001 x 206001 nodes need 3394.9 "
+                              "GB, 2.0 GB are allowed: give at least 0.43 m"));
+  // What it advises fits: 2060 m of nodes 0.43 m apart at 80 bytes each.
+  EXPECT_LT(80.0 * std::pow(2060.0 / 0.43 + 2.0, 2), kMaxTerrainBytes);
 }
 
 TEST(Generators, AbsurdNumbersAreRefused) {

@@ -67,6 +67,17 @@ TEST_F(TrackFile, GapsInTimeAreBreaks) {
   EXPECT_THAT(track.break_before, ElementsAre(5U, 8U));
 }
 
+TEST_F(TrackFile, TimeMayBeADate) {
+  // Over midnight and from one time zone to another: 2, 2, 2 and 30 s.
+  const Track track =
+      csv("timestamp,x,y\n2011-11-05T23:59:57Z,0,0\n2011-11-05T23:59:59Z,1,0\n"
+          "2011-11-06T00:00:01.000Z,2,0\n2011-11-06T02:00:03+02:00,3,0\n"
+          "2011-11-06 00:00:33Z,4,0\n2011-11-06T00:00:35Z,5,0\n");
+  EXPECT_EQ(track.points_W.size(), 6U);
+  EXPECT_THAT(track.break_before, ElementsAre(4U));
+  EXPECT_EQ(refused("t,x,y\nnoon,0,0\n"), ": line 2, t: 'noon': a finite number");
+}
+
 TEST_F(TrackFile, ClockSetBackByLittleIsNoBreak) {
   EXPECT_THAT(csv("t,x,y\n0,0,0\n3,1,0\n6,2,0\n4,3,0\n7,4,0\n").break_before, IsEmpty());
 }
