@@ -143,10 +143,11 @@ void solve_across(WheelRows& rows, Motion& motion, const WheelState& state, doub
 }
 
 // Slip ratio as defined for driving (over the wheel's speed) and braking (over the ground speed).
+// Below kSlowest_mps it is taken over that speed: moving off winds the tyres up by millimetres,
+// which over a speed near zero would read as wheel spin.
 double slip_ratio(double hub_mps, double rim_mps) {
-  constexpr double kStandstill_mps = 0.1;  // below it a ratio of speeds says nothing
-  const double faster_mps = std::max(std::abs(hub_mps), std::abs(rim_mps));
-  if (faster_mps < kStandstill_mps) return 0.0;
+  constexpr double kSlowest_mps = 0.5;
+  const double faster_mps = std::max({std::abs(hub_mps), std::abs(rim_mps), kSlowest_mps});
   return std::min(1.0, std::abs(rim_mps - hub_mps) / faster_mps);
 }
 
