@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <random>
 #include <regex>
 
 #include "planner/arcs.h"
@@ -164,6 +167,167 @@ TEST(MakePath, OverrunsAreRecordedWhenAllowed) {
     EXPECT_THAT(violation.what, HasSubstr("beyond the boundary"));
     EXPECT_TRUE(violation.p_W.y() <= kRounding || violation.p_W.y() >= 60.0 - kRounding);
   }
+}
+
+TEST(MakePath, RefusalNamesThePlaceOnTheMap) {
+  Field field = rectangle(40.0, 60.0);
+  field.frame = {true, 52.0, 10.0};
+  try {
+    make_path(field, made_up_vehicle(2.6, 2.0), up_and_down(40.0, 60.0, 2.0, 3.0), {});
+    FAIL() << "accepted";
+  } catch (const PlanInfeasible& infeasible) {
+    EXPECT_THAT(infeasible.what(), HasSubstr("[lon 10.00005"));
+    EXPECT_THAT(infeasible.what(), HasSubstr(", lat 52.0005"));
+  }
+}
+
+TEST(MakePath, PlanWithoutPassesIsRefused) {
+  EXPECT_THROW(make_path(rectangle(40.0, 60.0), made_up_vehicle(2.6, 2.0), {}, {}), PlanInfeasible);
+}
+
+TEST(MakePath, BeginsAtTheFreePoseNearestToTheEntry) {
+  const Vehicle vehicle = made_up_vehicle(2.6, 2.0);
+  Field field = rectangle(40.0, 60.0);
+  field.entry_W = Eigen::Vector2d(40.0, 30.0);
+  const Path path = make_path(field, vehicle, up_and_down(40.0, 60.0, 2.0, 10.0), {});
+  expect_continuous(path, vehicle);
+  expect_inside(path, field, vehicle, PathOptions{}.clearance_m);
+  ASSERT_FALSE(path.segments.empty());
+  EXPECT_EQ(path.segments.front().kind, PathKind::kTransit);
+  EXPECT_FALSE(path.segments.front().implement_down);
+  // The hull is 1.4 m wide and reaches 0.6 m behind the axle: it fits within a metre of the gate.
+  const double shift_m = (path.segments.front().points.front().p_W - *field.entry_W).norm();
+  EXPECT_GT(shift_m, 0.6);
+  EXPECT_LE(shift_m, 1.0);
+}
+
+// A rounded square ring as planners make them: closed, cut open at its first point.
+std::vector<Eigen::Vector2d> ring_m(double low_m, double high_m, double radius_m) {
+  std::vector<Eigen::Vector2d> points;
+  const std::vector<Eigen::Vector2d> centres = {{high_m - radius_m, low_m + radius_m},
+                                                {high_m - radius_m, high_m - radius_m},
+                                                {low_m + radius_m, high_m - radius_m},
+                                                {low_m + radius_m, low_m + radius_m}};
+  for (std::size_t corner = 0; corner < 4; ++corner) {
+    for (int i = 0; i <= 12; ++i) {
+      const double angle_rad = kPi / 2.0 * (static_cast<double>(corner) - 1.0 + i / 12.0);
+      points.push_back(centres[corner] + radius_m * direction_of(angle_rad));
+    }
+  }
+  points.push_back(points.front());
+  return points;
+}
+
+TEST(MakePath, HeadlandRingIsDrivenSmoothlyAndClosesOverItsBeginning) {
+  const Vehicle vehicle = made_up_vehicle(4.0, 2.0);
+  const double radius_m = 5.0;
+  Plan plan;
+  plan.passes.push_back({PassKind::kHeadlandPass, ring_m(3.0, 57.0, radius_m)});
+  const Field field = rectangle(60.0, 60.0);
+  const Path path = make_path(field, vehicle, plan, {});
+  expect_continuous(path, vehicle);
+  ASSERT_EQ(path.segments.size(), 1U);
+  const PathSegment& ring = path.segments.front();
+  EXPECT_EQ(ring.kind, PathKind::kHeadlandPass);
+  EXPECT_TRUE(ring.implement_down);
+  const double around_m = 4.0 * (54.0 - 2.0 * radius_m) + 2.0 * kPi * radius_m;
+  const double smoothing_m = 0.2;  // corners are cut by 1 cm, the chords are shorter than the arc
+  EXPECT_NEAR(length_m(ring), around_m, smoothing_m);
+  EXPECT_LT((ring.points.front().p_W - ring.points.back().p_W).norm(), smoothing_m);
+  // Headings are those of the chords and curvatures those of the arcs.
+  double total_rad = 0.0;
+  for (std::size_t i = 1; i < ring.points.size(); ++i) {
+    const Eigen::Vector2d chord = ring.points[i].p_W - ring.points[i - 1].p_W;
+    EXPECT_GT(chord.dot(direction_of(ring.points[i].heading_rad)), 0.995 * chord.norm());
+    EXPECT_LT(std::abs(ring.points[i].curvature_per_m), 1.1 / radius_m);
+    total_rad += ring.points[i].curvature_per_m * chord.norm();
+  }
+  EXPECT_NEAR(total_rad, 2.0 * kPi, 0.05) << "curvature adds up to one turn";
+}
+
+TEST(MakePath, PassTighterThanTheVehicleIsRefusedOrRecorded) {
+  const Vehicle vehicle = made_up_vehicle(4.0, 2.0);
+  Plan plan;
+  plan.passes.push_back({PassKind::kHeadlandPass, ring_m(10.0, 50.0, 2.0)});
+  try {
+    make_path(rectangle(60.0, 60.0), vehicle, plan, {});
+    FAIL() << "accepted";
+  } catch (const PlanInfeasible& infeasible) {
+    EXPECT_THAT(infeasible.what(), HasSubstr("pass 1 (headland pass) bends with a radius of "));
+    EXPECT_THAT(infeasible.what(), HasSubstr("the vehicle's least is 3.48 m"));
+  }
+  PathOptions options;
+  options.allow_overrun = true;
+  const Path path = make_path(rectangle(60.0, 60.0), vehicle, plan, options);
+  ASSERT_EQ(path.violations.size(), 1U);
+  EXPECT_GT(path.violations[0].overrun_m, 1.0);
+}
+
+TEST(MakePath, GoesAroundAHoleBetweenPasses) {
+  const Vehicle vehicle = made_up_vehicle(2.6, 2.0);
+  Field field = rectangle(80.0, 80.0);
+  field.holes.push_back({{30.0, 5.0}, {30.0, 60.0}, {50.0, 60.0}, {50.0, 5.0}});
+  Plan plan;
+  plan.passes.push_back({PassKind::kSwath, {{20.0, 60.0}, {20.0, 30.0}}});
+  plan.passes.push_back({PassKind::kSwath, {{60.0, 30.0}, {60.0, 60.0}}});
+  const Path path = make_path(field, vehicle, plan, {});
+  expect_continuous(path, vehicle);
+  expect_inside(path, field, vehicle, PathOptions{}.clearance_m);
+  EXPECT_EQ(path.segments[1].kind, PathKind::kTransit);
+}
+
+TEST(MakePath, RaisedImplementSwingsClearOfTrees) {
+  const Vehicle vehicle = made_up_vehicle(2.6, 6.0);
+  Field field = rectangle(60.0, 60.0);
+  const Plan plan = up_and_down(60.0, 60.0, 6.0, 12.0);
+  const Path before = make_path(field, vehicle, plan, {});
+  const PathSegment& turn = before.segments[1];
+  ASSERT_EQ(turn.kind, PathKind::kUTurn);
+  const PathPoint& middle = turn.points[turn.points.size() / 2];
+  // Beside the hull, under the bar, on the outer side of the turn.
+  field.obstacles.push_back({ObstacleKind::kPole,
+                             middle.p_W +
+                                 vehicle.implement.x_B_m * direction_of(middle.heading_rad) +
+                                 2.0 * left_of(middle.heading_rad),
+                             0.1, 5.0});
+  const Path after = make_path(field, vehicle, plan, {});
+  expect_continuous(after, vehicle);
+  expect_inside(after, field, vehicle, PathOptions{}.clearance_m);
+  EXPECT_FALSE(fits(free_space(field, hull_of(vehicle)), {middle.p_W, middle.heading_rad}, 0.0))
+      << "the pole is where the turn was";
+}
+
+// Any two swaths in a field with a hole and a tree are joined continuously and inside it.
+RC_GTEST_PROP(MakePath, JoinsAnySwathsContinuously, ()) {
+  const Vehicle vehicle = made_up_vehicle(3.0, 3.0);
+  Field field = rectangle(100.0, 80.0);
+  field.holes.push_back({{45.0, 30.0}, {45.0, 50.0}, {55.0, 50.0}, {55.0, 30.0}});
+  field.obstacles.push_back({ObstacleKind::kTree, {80.0, 40.0}, 0.5, 6.0});
+  const FreeSpace space = free_space(field, hull_of(vehicle));
+  // One drawn seed, because a loop that draws until poses fit need not end at small sizes.
+  std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+  const auto number = [&random](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() >> 11U) * 0x1p-53;
+  };
+  Plan plan;
+  while (plan.passes.size() < 4) {
+    const Pose begin{{number(4.0, 96.0), number(4.0, 76.0)}, number(-kPi, kPi)};
+    const Arc line{12.0, 0.0, Gear::kForward};
+    if (!fits_along(space, begin, {{14.0, 0.0, Gear::kForward}}, 0.2)) continue;
+    plan.passes.push_back(
+        {PassKind::kSwath, {begin.p_W, pose_along(begin, line, line.length_m).p_W}});
+  }
+  const Path path = make_path(field, vehicle, plan, {});
+  expect_continuous(path, vehicle);
+  expect_inside(path, field, vehicle, 0.0);
+  RC_ASSERT(!testing::Test::HasFailure());
+  RC_ASSERT(path.violations.empty());
+  int down = 0;
+  for (const PathSegment& segment : path.segments) {
+    RC_ASSERT(segment.implement_down == (segment.kind == PathKind::kSwath));
+    if (segment.implement_down) ++down;
+  }
+  RC_ASSERT(down == 4);
 }
 
 }  // namespace
