@@ -24,9 +24,14 @@ std::string_view trimmed(std::string_view text) {
 }
 
 char separator_of(std::string_view header) {
-  const auto count = [&](char sign) { return std::ranges::count(header, sign); };
-  // On a tie the comma, which comes first, wins.
-  return std::ranges::max({',', ';', '\t'}, {}, count);
+  char most = ',';
+  for (const char sign : {';', '\t'}) {
+    if (std::count(header.begin(), header.end(), sign) >
+        std::count(header.begin(), header.end(), most)) {
+      most = sign;
+    }
+  }
+  return most;
 }
 
 std::vector<std::string> cells_of(std::string_view line, char separator, const std::string& file,

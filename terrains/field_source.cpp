@@ -54,7 +54,7 @@ std::string feature_name(const OGRFeature& feature, const std::string& otherwise
   for (const char* key : {"name", "Name", "NAME"}) {
     const int index = feature.GetFieldIndex(key);
     if (index >= 0 && feature.IsFieldSetAndNotNull(index)) {
-      const std::string name = feature.GetFieldAsString(index);
+      std::string name = feature.GetFieldAsString(index);
       if (!name.empty()) return name;
     }
   }

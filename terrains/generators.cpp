@@ -34,7 +34,7 @@ double rolling(double x_m, double y_m, const Parameters& parameters, std::uint64
   const double wavelength_m = number(parameters, "wavelength_m");
   double sum = 0.0;
   for (int wave = 0; wave < kWaves; ++wave) {
-    const auto draw = static_cast<std::uint64_t>(2 * wave);
+    const std::uint64_t draw = 2 * static_cast<std::uint64_t>(wave);
     // Directions are spread evenly, with a random start in each sector, so that no seed makes
     // corrugated iron.
     const double direction_rad = kPi * (wave + seeded_uniform(seed, draw)) / kWaves;

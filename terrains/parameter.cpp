@@ -39,7 +39,7 @@ Parameters resolve_parameters(std::span<const ParameterSpec> specs, const Parame
     resolved.emplace(std::string(spec.name), spec.default_value);
   }
   for (const auto& [name, value] : given) {
-    const std::string key = where.empty() ? name : where + "." + name;
+    const std::string key = where.empty() ? name : fmt::format("{}.{}", where, name);
     const auto spec = std::ranges::find(specs, name, &ParameterSpec::name);
     if (spec == specs.end()) {
       std::vector<std::string> names;
