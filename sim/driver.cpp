@@ -19,7 +19,8 @@ constexpr double kSpeedIntegralGain_per_s2 = 1.5;
 constexpr double kSpeedIntegralMax_mps2 = 6.0;
 constexpr double kCrossTrackIntegralGain_per_s = 0.25;
 constexpr double kCrossTrackIntegralMax_m = 0.3;  // offset of the look-ahead point
-constexpr double kSpeedPreview_s = 0.15;          // makes up for the lag of the speed control
+constexpr double kReferenceLead_mps = 0.3;  // the reference waits for a vehicle that lags by this
+constexpr double kSteeringWindow_m = 1.0;   // over which a change of curvature is steered
 
 double kind_speed_mps(const Driver& driver, const PathSegment& segment) {
   double speed_mps = driver.transit_speed_mps;
@@ -29,6 +30,28 @@ double kind_speed_mps(const Driver& driver, const PathSegment& segment) {
     speed_mps = driver.turn_speed_mps;
   }
   return segment.gear == Gear::kReverse ? std::min(speed_mps, driver.reverse_speed_mps) : speed_mps;
+}
+
+// Slows down where the steering has to turn faster than it can: the change of steer angle over
+// kSteeringWindow_m around each point takes that window's time at least.
+void limit_speeds_for_steering(Route& route, const std::vector<double>& steer_rad,
+                               double rate_rad_per_s) {
+  for (const RouteRun& run : route.runs) {
+    std::size_t behind = run.first;
+    std::size_t ahead = run.first;
+    for (std::size_t i = run.first; i <= run.last; ++i) {
+      const double along_m = route.points[i].along_m;
+      while (route.points[behind].along_m < along_m - 0.5 * kSteeringWindow_m) ++behind;
+      while (ahead < run.last && route.points[ahead].along_m < along_m + 0.5 * kSteeringWindow_m) {
+        ++ahead;
+      }
+      const double change_rad = std::abs(steer_rad[ahead] - steer_rad[behind]);
+      if (change_rad <= 0.0) continue;
+      RoutePoint& point = route.points[i];
+      point.speed_limit_mps =
+          std::min(point.speed_limit_mps, kSteeringWindow_m * rate_rad_per_s / change_rad);
+    }
+  }
 }
 
 void limit_speeds_for_braking(Route& route, double deceleration_mps2) {
@@ -115,14 +138,12 @@ double steer_wanted(const Route& route, const RouteRun& run, const Vehicle& vehi
   return std::clamp(std::atan(wheelbase_m(vehicle) * curvature_per_m), -limit_rad, limit_rad);
 }
 
-double speed_wanted(const Route& route, const RouteRun& run, const DriverView& view,
-                    const DriverState& state) {
-  const double along_m = state.along_m + kSpeedPreview_s * std::abs(view.speed_mps);
-  std::size_t i = state.index;
-  while (i + 1 < run.last && route.points[i + 1].along_m < along_m) ++i;
+double speed_limit(const Route& route, const DriverState& state) {
+  const std::size_t i = state.index;
   const RoutePoint& from = route.points[i];
   const RoutePoint& to = route.points[i + 1];
-  const double t = std::clamp((along_m - from.along_m) / (to.along_m - from.along_m), 0.0, 1.0);
+  const double t =
+      std::clamp((state.along_m - from.along_m) / (to.along_m - from.along_m), 0.0, 1.0);
   const double square = (1.0 - t) * from.speed_limit_mps * from.speed_limit_mps +
                         t * to.speed_limit_mps * to.speed_limit_mps;
   return std::max(std::sqrt(square), kCreep_mps);
@@ -142,6 +163,7 @@ bool work_ahead(const Route& route, const RouteRun& run, const DriverState& stat
 
 Route make_route(const Path& path, const Vehicle& vehicle) {
   Route route;
+  std::vector<double> steer_rad;
   for (std::size_t s = 0; s < path.segments.size(); ++s) {
     const PathSegment& segment = path.segments[s];
     route.works.push_back(segment.implement_down);
@@ -172,11 +194,13 @@ Route make_route(const Path& path, const Vehicle& vehicle) {
       }
       if (i == 0) route.runs.push_back({route.points.size(), route.points.size(), segment.gear});
       route.points.push_back(stop);
+      steer_rad.push_back(std::atan(wheelbase_m(vehicle) * point.curvature_per_m));
       route.runs.back().last = route.points.size() - 1;
     }
   }
   std::erase_if(route.runs, [](const RouteRun& run) { return run.last <= run.first; });
   route.length_m = route.points.empty() ? 0.0 : route.points.back().along_m;
+  limit_speeds_for_steering(route, steer_rad, vehicle.steering.max_rate_rad_per_s);
   limit_speeds_for_braking(route, vehicle.driver.max_acceleration_mps2);
   route.expected_time_s = expected_time(route);
   return route;
@@ -229,6 +253,7 @@ DriverCommand drive(const Route& route, const Vehicle& vehicle, const DriverView
         state.index = route.runs[state.run].first;
         state.along_m = route.points[state.index].along_m;
         state.starting = true;
+        state.reference_mps = 0.0;
         state.speed_integral_m = 0.0;
       }
     }
@@ -240,14 +265,20 @@ DriverCommand drive(const Route& route, const Vehicle& vehicle, const DriverView
     if (command.hold) return command;
   }
 
-  const double error_mps = speed_wanted(route, run, view, state) - direction * view.speed_mps;
+  const double speed_mps = direction * view.speed_mps;
+  const double before_mps = state.reference_mps;
+  state.reference_mps =
+      std::min({speed_limit(route, state), before_mps + vehicle.driver.max_acceleration_mps2 * dt_s,
+                std::max(speed_mps, 0.0) + kReferenceLead_mps});
+  const double error_mps = state.reference_mps - speed_mps;
   const double integral_limit_m = kSpeedIntegralMax_mps2 / kSpeedIntegralGain_per_s2;
   state.speed_integral_m =
       std::clamp(state.speed_integral_m + dt_s * error_mps, -integral_limit_m, integral_limit_m);
-  const double limit_mps2 = vehicle.driver.max_acceleration_mps2;
+  const double ramp_limit_mps2 = 2.0 * vehicle.driver.max_acceleration_mps2;
+  const double ramp_mps2 =
+      std::clamp((state.reference_mps - before_mps) / dt_s, -ramp_limit_mps2, ramp_limit_mps2);
   const double acceleration_mps2 =
-      std::clamp(kSpeedGain_per_s * error_mps, -2.0 * limit_mps2, limit_mps2) +
-      kSpeedIntegralGain_per_s2 * state.speed_integral_m;
+      ramp_mps2 + kSpeedGain_per_s * error_mps + kSpeedIntegralGain_per_s2 * state.speed_integral_m;
   // The grade is known from the pitch sensor: without it the vehicle rolls back when it moves off.
   const double force_n =
       mass_kg * (direction * acceleration_mps2 + kGravity_mps2 * std::sin(view.pitch_rad));

@@ -16,7 +16,7 @@ struct RoutePoint {
   Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
   double heading_rad = 0.0;
   double along_m = 0.0;          // from the route's start
-  double speed_limit_mps = 0.0;  // by kind, curvature and braking distance; 0 at run ends
+  double speed_limit_mps = 0.0;  // see make_route; 0 at run ends
   int segment = 0;               // that leaves this point
 };
 
@@ -34,6 +34,8 @@ struct Route {
   double expected_time_s = 0.0;  // at the speed limits
 };
 
+// Speed limits: the driver's speed for the kind and gear, lateral acceleration in curves, the
+// steering rate where curvature changes, and the braking distance to what comes.
 Route make_route(const Path& path, const Vehicle& vehicle);
 
 struct DriverState {
@@ -42,6 +44,7 @@ struct DriverState {
   double along_m = 0.0;        // of the nearest place
   double cross_track_m = 0.0;  // left of the path positive, seen along the body's x axis
   double steer_rad = 0.0;      // actual, rate-limited
+  double reference_mps = 0.0;  // speed asked for, along the gear: ramps up, follows the limit down
   double speed_integral_m = 0.0;
   double cross_track_integral_m_s = 0.0;
   double lowered = 0.0;  // implement: 0 up, 1 down

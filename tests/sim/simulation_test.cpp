@@ -154,7 +154,7 @@ TEST(Simulation, TipsOverAtThePredictedSideSlope) {
 
 TEST(Simulation, RunsTheBatteryEmpty) {
   SimulationOptions options;
-  options.soc_start = 0.205;
+  options.soc_start = transplanter().battery.empty_soc + 0.002;
   const RunRecord run = test::run(test::straight(150.0), transplanter(), test::plane(0.02, 0.0),
                                   test::textbook_soil(), options);
   EXPECT_EQ(run.outcome, Outcome::kBatteryEmpty) << run.outcome_detail;
@@ -188,7 +188,8 @@ TEST(Simulation, ReportsASmallOverrunAndGoesOn) {
   const RunRecord run = test::run(test::straight(40.0), vehicle, test::plane(0.0, 0.0),
                                   test::textbook_soil(), {}, test::open_field(39.0 + front_m));
   EXPECT_EQ(run.outcome, Outcome::kFinished);
-  EXPECT_NEAR(run.peaks.boundary_overrun_m.value, 1.0, 0.1);  // checked every 0.1 m
+  constexpr double kCheckAndStop_m = 0.12;  // checked every 0.1 m, stops 1 to 2 cm short
+  EXPECT_NEAR(run.peaks.boundary_overrun_m.value, 1.0, kCheckAndStop_m);
 }
 
 TEST(Simulation, LeavesTheTerrain) {
