@@ -110,7 +110,7 @@ void add_brake_hold(std::vector<bench::Figure>& figures) {
   MachineState state;
   DriverCommand braked;
   braked.hold = true;
-  Eigen::Vector3d settled;
+  Eigen::Vector3d settled = Eigen::Vector3d::Zero();
   for (int i = 0; i < static_cast<int>(80.0 * kRate_hz); ++i) {
     if (i == static_cast<int>(20.0 * kRate_hz)) settled = world.state().p_WC;
     step_machine(machine, braked, 0.0, 0.0, 1.0 / kRate_hz, world, state);
