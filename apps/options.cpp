@@ -47,7 +47,7 @@ Job make_job(const std::filesystem::path& file, const std::filesystem::path& fol
 }
 
 PictureSize picture_size(const CommonOptions& options) {
-  constexpr int kLeast = 64;
+  constexpr int kLeast = 240;  // the pictures refuse less
   constexpr int kMost = 8192;
   PictureSize size;
   if (options.size.empty()) return size;

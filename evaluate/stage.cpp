@@ -10,7 +10,8 @@ Stage load_stage(const Scenario& scenario) {
   const std::string source = scenario.file.string();
   Stage stage;
   stage.field = read_field(scenario.field, source);
-  if (stage.field.name.empty()) stage.field.name = scenario.name;
+  // Not after the scenario's file, which has another name among the results.
+  if (scenario.field.file.empty()) stage.field.name = scenario.name;
   stage.terrain = read_terrain(scenario.terrain, stage.field, source);
   // read_scenario has found the name in the table.
   stage.soil = *std::find_if(soils().begin(), soils().end(),
