@@ -65,15 +65,15 @@ Guide guide_to(const FreeSpace& space, const Pose& from, const Pose& to) {
   guide.cell_m = std::max(kMinGuideCell_m, size.maxCoeff() / kGuideCellsAlong);
   guide.columns = static_cast<int>(size.x() / guide.cell_m) + 1;
   guide.rows = static_cast<int>(size.y() / guide.cell_m) + 1;
-  const int count = guide.columns * guide.rows;
-  std::vector<char> free(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) {
-    const Vector2d centre =
-        guide.origin_W + guide.cell_m * Vector2d(i % guide.columns + 0.5, i / guide.columns + 0.5);
-    free[static_cast<std::size_t>(i)] = disc_fits(space, centre, space.hull.half_width_m) ? 1 : 0;
+  std::vector<char> free;
+  for (int row = 0; row < guide.rows; ++row) {
+    for (int column = 0; column < guide.columns; ++column) {
+      const Vector2d centre = guide.origin_W + guide.cell_m * Vector2d(column + 0.5, row + 0.5);
+      free.push_back(disc_fits(space, centre, space.hull.half_width_m) ? 1 : 0);
+    }
   }
   free[static_cast<std::size_t>(guide.index(from.p_W))] = 1;
-  guide.distance_m.assign(static_cast<std::size_t>(count), std::numeric_limits<double>::max());
+  guide.distance_m.assign(free.size(), std::numeric_limits<double>::max());
   const int goal = guide.index(to.p_W);
   guide.distance_m[static_cast<std::size_t>(goal)] = 0.0;
   Queue open;
@@ -89,11 +89,12 @@ Guide guide_to(const FreeSpace& space, const Pose& from, const Pose& to) {
         const int c = column + dx;
         const int r = row + dy;
         if (c < 0 || r < 0 || c >= guide.columns || r >= guide.rows) continue;
-        const auto next = static_cast<std::size_t>(r * guide.columns + c);
+        const int neighbour = r * guide.columns + c;
+        const auto next = static_cast<std::size_t>(neighbour);
         const double cost = reached.cost + guide.cell_m * std::hypot(dx, dy);
         if (free[next] == 0 || cost >= guide.distance_m[next]) continue;
         guide.distance_m[next] = cost;
-        open.push({cost, static_cast<int>(next)});
+        open.push({cost, neighbour});
       }
     }
   }
@@ -137,7 +138,7 @@ double to_go_m(const Search& search, const Pose& pose) {
   return std::max(around_m, reeds_shepp_length_m(pose, search.to, search.options.radius_m));
 }
 
-void reach(Search& search, Node node) {
+void reach(Search& search, const Node& node) {
   const double to_go = to_go_m(search, node.pose);
   if (to_go == std::numeric_limits<double>::max()) return;
   const double total_m = node.cost_m + kGreed * to_go;

@@ -62,7 +62,7 @@ struct Joining {
   const std::vector<WorkLine>& lines;
   const PathOptions& options;
   FreeSpace space;
-  double radius_m;
+  double radius_m = 0.0;
   int node_budget = kNodeBudget;
   int manoeuvre = 0;
   Path path;

@@ -153,9 +153,9 @@ double greatest_distance_m(const Points& points, std::size_t first, std::size_t 
 }
 
 struct Cutting {
-  double tolerance_m;
-  double radius_m;
-  double ahead_m;
+  double tolerance_m = 0.0;
+  double radius_m = 0.0;
+  double ahead_m = 0.0;
   TrackPieces result;
 };
 
