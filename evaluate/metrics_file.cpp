@@ -128,7 +128,8 @@ Json verdict_json(const RunReport& report) {
   return json;
 }
 
-Json figures_json(Metrics metrics) {
+Json figures_json(const Metrics& given) {
+  Metrics metrics = given;  // the key table hands out references
   Json json;
   for (const auto& figure : kFigures) json[figure.key] = figure.value(metrics);
   for (const auto& count : kCounts) json[count.key] = count.value(metrics);
@@ -148,14 +149,16 @@ Json kinds_json(const Metrics& metrics) {
   return json;
 }
 
-Json totals_json(RunRecord run) {
+Json totals_json(const RunRecord& given) {
+  RunRecord run = given;  // the key table hands out references
   Json json;
   for (const auto& total : kTotals) json[total.key] = total.value(run);
   json["belly_contacts"] = run.peaks.belly_contacts;
   return json;
 }
 
-Json peaks_json(Peaks peaks, const GeoFrame& frame) {
+Json peaks_json(const Peaks& given, const GeoFrame& frame) {
+  Peaks peaks = given;  // the key table hands out references
   Json json;
   for (const auto& entry : kPeaks) {
     const Peak& peak = entry.value(peaks);

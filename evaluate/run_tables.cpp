@@ -19,8 +19,8 @@ namespace {
 template <typename Row>
 struct Column {
   std::string_view name;
-  int decimals;
-  double& (*value)(Row&);
+  int decimals = 0;
+  double& (*value)(Row&) = nullptr;
 };
 
 constexpr Column<RunSample> kRunColumns[] = {
