@@ -38,6 +38,15 @@ void deepen(Overrun& worst, const Overrun& other) {
   if (other.depth_m > worst.depth_m) worst = other;
 }
 
+// The clearance that both ends keep: the one asked for or none; empty when an end does not fit.
+std::optional<double> clearance_between(const FreeSpace& space, const Pose& from, const Pose& to,
+                                        const ConnectionOptions& options) {
+  for (const double clearance_m : {options.clearance_m, 0.0}) {
+    if (fits(space, from, clearance_m) && fits(space, to, clearance_m)) return clearance_m;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool fits_along(const FreeSpace& space, const Pose& from, const std::vector<Arc>& arcs,
@@ -66,22 +75,29 @@ Overrun worst_overrun(const FreeSpace& space, const std::vector<PathPoint>& poin
   return worst;
 }
 
-std::optional<std::vector<Arc>> connect(const FreeSpace& space, const Pose& from, const Pose& to,
-                                        const ConnectionOptions& options, int& node_budget) {
-  double clearance_m = options.clearance_m;
-  if (!fits(space, from, clearance_m) || !fits(space, to, clearance_m)) clearance_m = 0.0;
-  if (!fits(space, from, clearance_m) || !fits(space, to, clearance_m)) return std::nullopt;
+std::optional<std::vector<Arc>> connect_by_turn(const FreeSpace& space, const Pose& from,
+                                                const Pose& to, const ConnectionOptions& options) {
+  const auto clearance_m = clearance_between(space, from, to, options);
+  if (!clearance_m) return std::nullopt;
   // Run-outs only lengthen a turn, so they are looked at when the cheapest without does not fit.
   auto direct = turns(from, to, options.radius_m);
-  if (!direct.empty() && fits_along(space, from, direct.front().arcs, clearance_m)) {
+  if (!direct.empty() && fits_along(space, from, direct.front().arcs, *clearance_m)) {
     return std::move(direct.front().arcs);
   }
   for (Turn& turn : turns_with_run_outs(from, to, options.radius_m)) {
-    if (fits_along(space, from, turn.arcs, clearance_m)) return std::move(turn.arcs);
+    if (fits_along(space, from, turn.arcs, *clearance_m)) return std::move(turn.arcs);
   }
+  return std::nullopt;
+}
+
+std::optional<std::vector<Arc>> connect(const FreeSpace& space, const Pose& from, const Pose& to,
+                                        const ConnectionOptions& options, int& node_budget) {
+  if (auto arcs = connect_by_turn(space, from, to, options)) return arcs;
+  const auto clearance_m = clearance_between(space, from, to, options);
+  if (!clearance_m) return std::nullopt;
   RouteOptions route;
   route.radius_m = options.radius_m;
-  route.clearance_m = clearance_m;
+  route.clearance_m = *clearance_m;
   route.max_nodes = std::min(node_budget, kMaxNodesPerRoute);
   int expanded = 0;
   auto arcs = find_route(space, from, to, route, &expanded);

@@ -22,9 +22,13 @@ struct ConnectionOptions {
   double clearance_m = 0.0;
 };
 
+// The cheapest turn that fits. Where the ends themselves keep less than the clearance, it need not
+// keep more.
+std::optional<std::vector<Arc>> connect_by_turn(const FreeSpace& space, const Pose& from,
+                                                const Pose& to, const ConnectionOptions& options);
+
 // The cheapest turn that fits, else a route by hybrid A* that expands at most `node_budget` nodes
-// and takes them off it. None when neither is found. Where the ends themselves keep less than the
-// clearance, the connection need not keep more.
+// and takes them off it. None when neither is found.
 std::optional<std::vector<Arc>> connect(const FreeSpace& space, const Pose& from, const Pose& to,
                                         const ConnectionOptions& options, int& node_budget);
 

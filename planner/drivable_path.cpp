@@ -1,6 +1,9 @@
 #include "planner/drivable_path.h"
 
+#include <utility>
+
 #include "planner/join_lines.h"
+#include "planner/line_ends.h"
 #include "planner/work_line.h"
 
 namespace headland {
@@ -13,7 +16,12 @@ Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
   for (const Pass& pass : plan.passes) {
     lines.push_back(work_line(pass, vehicle.implement.x_B_m));
   }
-  return join_lines(field, vehicle, lines, options);
+  const ConnectionOptions connection{planning_turning_radius_m(vehicle), options.clearance_m};
+  std::vector<double> cuts = make_room_for_turns(plan, field, free_space(field, hull_of(vehicle)),
+                                                 connection, vehicle.implement.x_B_m, lines);
+  Path path = join_lines(field, vehicle, lines, options);
+  path.cut_back_m = std::move(cuts);
+  return path;
 }
 
 }  // namespace headland

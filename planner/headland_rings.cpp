@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "planner/ring_smoothing.h"
 
@@ -41,13 +42,51 @@ PolygonSet worth_working(const PolygonSet& ground, double width_m) {
   return kept;
 }
 
+double perimeter_m(const Ring& ring) {
+  double sum_m = (ring.front() - ring.back()).norm();
+  for (std::size_t i = 1; i < ring.size(); ++i) sum_m += (ring[i] - ring[i - 1]).norm();
+  return sum_m;
+}
+
+// Ground outside arcs of radius_m that touch both edges of every convex corner.
+double corners_cut_m2(const Ring& ring, double radius_m) {
+  constexpr double kSharpest_rad = 2.8;  // a needle's area is bounded by its edges, not by the arc
+  double sum_m2 = 0.0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Eigen::Vector2d in = ring[i] - ring[(i + ring.size() - 1) % ring.size()];
+    const Eigen::Vector2d out = ring[(i + 1) % ring.size()] - ring[i];
+    const double turn_rad = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+    if (turn_rad <= 0.0) continue;
+    const double half_rad = 0.5 * std::min(turn_rad, kSharpest_rad);
+    sum_m2 += (std::tan(half_rad) - half_rad) * radius_m * radius_m;
+  }
+  return sum_m2;
+}
+
 }  // namespace
 
-double first_ring_distance_m(const PlanRequest& request) {
-  return std::max(request.working_width_m / 2.0,
-                  request.vehicle_width_m > request.working_width_m
-                      ? request.vehicle_width_m / 2.0 + kHullClearance_m
-                      : 0.0);
+FirstRound first_round(const PlanRequest& request) {
+  const double half_width_m = request.working_width_m / 2.0;
+  FirstRound best;
+  double least_m2 = std::numeric_limits<double>::infinity();
+  constexpr int kChoices = 7;
+  for (int choice = 0; choice < kChoices; ++choice) {
+    FirstRound round;
+    round.radius_m =
+        request.turning_radius_m * (1.0 + (kWidestCorner - 1.0) * choice / (kChoices - 1));
+    const double swing_m =
+        std::hypot(round.radius_m + request.vehicle_width_m / 2.0, request.vehicle_front_m) -
+        round.radius_m;
+    round.distance_m = std::max(half_width_m, swing_m + kHullClearance_m);
+    const double unworked_m2 =
+        (round.distance_m - half_width_m) * perimeter_m(request.field.boundary) +
+        corners_cut_m2(request.field.boundary, round.radius_m + round.distance_m);
+    if (unworked_m2 < least_m2) {
+      least_m2 = unworked_m2;
+      best = round;
+    }
+  }
+  return best;
 }
 
 double turning_depth_m(const PlanRequest& request) {
@@ -58,15 +97,15 @@ double turning_depth_m(const PlanRequest& request) {
 }
 
 int rounds_for_turning(const PlanRequest& request) {
-  const double outside_m = first_ring_distance_m(request) - request.working_width_m / 2.0;
+  const double outside_m = first_round(request).distance_m - request.working_width_m / 2.0;
   return std::max(1, static_cast<int>(std::ceil((turning_depth_m(request) - outside_m) /
                                                 request.working_width_m)));
 }
 
 Headland make_headland(const PlanRequest& request, int rounds) {
   const double width_m = request.working_width_m;
-  const double first_m = first_ring_distance_m(request);
-  const double radius_m = kRadiusMargin * request.turning_radius_m;
+  const FirstRound first = first_round(request);
+  const double first_m = first.distance_m;
   const PolygonSet field = from_field(request.field);
 
   Headland headland;
@@ -77,10 +116,13 @@ Headland make_headland(const PlanRequest& request, int rounds) {
   PolygonSet inside_before;
   for (int round = 0; round < rounds; ++round) {
     const double distance_m = first_m + round * width_m;
+    const double radius_m = kRadiusMargin * request.turning_radius_m;
+    const double corner_radius_m = round == 0 ? kRadiusMargin * first.radius_m : radius_m;
     // A corner that sticks into the ground is passed at constant distance where the vehicle can
     // follow that arc, else along its sharp offset, rounded.
     const Join join = distance_m < radius_m ? Join::kMitre : Join::kRound;
-    const PolygonSet ground = rounded(buffered(field, -distance_m, join), radius_m, field, first_m);
+    const PolygonSet ground =
+        rounded(buffered(field, -distance_m, join), radius_m, corner_radius_m, field, first_m);
     append_rings(ground, round, request.turning_radius_m, headland.rings);
     if (round > 0) {
       inner.push_back(worth_working(
@@ -94,7 +136,7 @@ Headland make_headland(const PlanRequest& request, int rounds) {
     throw PlanInfeasible(fmt::format(
         "the turning radius fits nowhere: a round inside the boundary needs ground {:.1f} m wide "
         "(working width {:.2f} m, turning radius {:.2f} m)",
-        2.0 * (first_m + radius_m), width_m, request.turning_radius_m));
+        2.0 * (first_m + kRadiusMargin * first.radius_m), width_m, request.turning_radius_m));
   }
   return headland;
 }

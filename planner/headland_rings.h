@@ -8,8 +8,7 @@
 
 namespace headland {
 
-// Kept between the hull and the boundary on rings [m] where the vehicle is wider than the
-// implement.
+// Kept between the hull and the boundary on the outermost ring [m].
 inline constexpr double kHullClearance_m = 0.15;
 
 // A closed round (first point == last), kRingSpacing_m between points, never tighter than the
@@ -27,9 +26,19 @@ struct Headland {
   PolygonSet drivable;  // where the middle of a swath may run: implement and hull inside
 };
 
-// Distance [m] of the outermost ring from the boundary: half the working width, or half the hull
-// and its clearance where that is more.
-double first_ring_distance_m(const PlanRequest& request);
+// The outermost ring: its distance from the boundary and the radius of its corners [m].
+struct FirstRound {
+  double distance_m = 0.0;
+  double radius_m = 0.0;
+};
+
+// In a corner of radius r the hull's front corner swings out to hypot(r + hull width / 2, front)
+// from the arc's centre. The ring keeps far enough from the boundary for that, and takes the
+// corner radius, from the turning radius to kWidestCorner times it, that leaves the least ground
+// unworked: wide corners swing out less but cut more off. A wide implement needs neither: its
+// ring is at half the working width with the turning radius.
+FirstRound first_round(const PlanRequest& request);
+inline constexpr double kWidestCorner = 2.5;
 
 // Depth [m] that turning round takes from the end of a swath to the boundary. U-turn and
 // three-point turn both begin with a quarter circle of the turning radius R, so
@@ -41,7 +50,7 @@ double turning_depth_m(const PlanRequest& request);
 // Smallest number of rounds whose ground is turning_depth_m deep.
 int rounds_for_turning(const PlanRequest& request);
 
-// `rounds` >= 1 rings at first_ring_distance_m, one working width apart. A round that splits
+// `rounds` >= 1 rings from first_round inwards, one working width apart. A round that splits
 // becomes several rings, where the ground is narrower than two turning radii it vanishes; rounds
 // of boundary and holes that would meet are one round around both. Ground inside the first round
 // that no later round reaches, in pieces of more than a working width squared, is left to the

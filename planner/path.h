@@ -45,6 +45,7 @@ struct PathViolation {
 struct Path {
   std::vector<PathSegment> segments;
   std::vector<PathViolation> violations;  // empty unless overruns were allowed
+  std::vector<double> cut_back_m;         // of swath ends shortened for their turn's room
 };
 
 double length_m(const PathSegment& segment);

@@ -40,8 +40,8 @@ PolygonSet opened_by(const PolygonSet& set, double radius_m) {
 
 }  // namespace
 
-PolygonSet rounded(const PolygonSet& ground, double radius_m, const PolygonSet& limit,
-                   double clearance_m) {
+PolygonSet rounded(const PolygonSet& ground, double radius_m, double corner_radius_m,
+                   const PolygonSet& limit, double clearance_m) {
   const PolygonSet clear =
       buffered(limit, -(clearance_m - kClearanceSlack * radius_m), Join::kRound);
   PolygonSet free = closed_by(ground, radius_m);
@@ -62,7 +62,7 @@ PolygonSet rounded(const PolygonSet& ground, double radius_m, const PolygonSet& 
         opened_by(difference(place, buffered(ground, -high_m, Join::kMitre)), radius_m);
     free = difference(free, kept_out);
   }
-  return opened_by(free, radius_m);
+  return opened_by(free, corner_radius_m);
 }
 
 Polyline smoothed_ring(const Ring& ring, double sigma_m) {

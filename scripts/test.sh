@@ -40,7 +40,7 @@ run_tests() {
 }
 
 check_tidy() {
-  sources '*.cpp' | grep -v '^bench/' |
+  sources '*.cpp' | grep -vE '^(bench|tests)/' |
     xargs -P "$jobs" -n 4 clang-tidy-14 -p build --quiet
 }
 

@@ -44,7 +44,7 @@ void check_request(const PlanRequest& request) {
   positive("turning_radius_m", request.turning_radius_m);
   positive("vehicle_width_m", request.vehicle_width_m);
   const PolygonSet field = from_field(request.field);
-  const double reach_m = first_ring_distance_m(request);
+  const double reach_m = 0.5 * std::max(request.working_width_m, request.vehicle_width_m);
   if (!buffered(field, -reach_m, Join::kRound).parts.empty()) return;
   const bool hull = request.vehicle_width_m > request.working_width_m;
   throw InputError("plan", hull ? "vehicle_width_m" : "working_width_m",

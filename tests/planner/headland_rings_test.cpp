@@ -37,13 +37,19 @@ TEST(HeadlandRings, TurningDepthFollowsItsFormula) {
   EXPECT_EQ(rounds_for_turning(narrow), 3);
 }
 
-TEST(HeadlandRings, VehicleWiderThanItsImplementKeepsTheHullInside) {
+TEST(HeadlandRings, FirstRoundKeepsTheSwingingFrontCornerInside) {
   PlanRequest request = tractor(field_of("square", rectangle_ring(0, 0, 150, 150)));
-  EXPECT_DOUBLE_EQ(first_ring_distance_m(request), 4.5);
+  EXPECT_DOUBLE_EQ(first_round(request).distance_m, 4.5);  // the implement reaches further
+  EXPECT_DOUBLE_EQ(first_round(request).radius_m, request.turning_radius_m);
   request.working_width_m = 1.5;
-  EXPECT_DOUBLE_EQ(first_ring_distance_m(request), 1.1 + kHullClearance_m);
+  const FirstRound round = first_round(request);
+  EXPECT_DOUBLE_EQ(round.distance_m, std::hypot(round.radius_m + request.vehicle_width_m / 2.0,
+                                                request.vehicle_front_m) -
+                                         round.radius_m + kHullClearance_m);
+  // Corners wider than the turning radius cut more off but keep the whole ring nearer.
+  EXPECT_GT(round.radius_m, request.turning_radius_m);
   const Headland headland = make_headland(request, 2);
-  EXPECT_DOUBLE_EQ(headland.width_m, 1.1 + kHullClearance_m + 1.5 + 0.75);
+  EXPECT_DOUBLE_EQ(headland.width_m, round.distance_m + 1.5 + 0.75);
 }
 
 TEST(HeadlandRings, SquareHasRoundedSquaresOneWidthApart) {
@@ -93,6 +99,7 @@ TEST(HeadlandRings, RingSwingsOutAtACornerIntoTheField) {
   const Headland headland = make_headland(request, 1);
   ASSERT_EQ(headland.rings.size(), 1U);
   EXPECT_GE(tightest_radius_m(headland.rings[0].line_W, 0.5), request.turning_radius_m);
+  const double distance_m = first_round(request).distance_m;
   double nearest_m = 100.0;
   for (const Eigen::Vector2d& p_W : headland.rings[0].line_W) {
     const double clearance_m = field_clearance_m(field, p_W);
@@ -100,10 +107,10 @@ TEST(HeadlandRings, RingSwingsOutAtACornerIntoTheField) {
     // 10 m from any corner the side's distance is as if there were none; filter and rounding in mm.
     const bool straight = p_W.x() > 62.0 && p_W.x() < 90.0 && p_W.y() > 25.0;
     if (straight) {
-      EXPECT_NEAR(clearance_m, 1.0, 0.01);
+      EXPECT_NEAR(clearance_m, distance_m, 0.01);
     }
   }
-  EXPECT_GE(nearest_m, 1.0 - 0.035 * request.turning_radius_m);
+  EXPECT_GE(nearest_m, distance_m - 0.035 * request.turning_radius_m);
 }
 
 TEST(HeadlandRings, RoundsSplitWhereTheGroundIsNarrow) {
