@@ -14,7 +14,7 @@ namespace {
 int evaluate(const CommonOptions& options) {
   const PictureSize size = picture_size(options);
   const Job job = make_job(options.scenario, options.folder, options);
-  plan_stage(job);
+  const PlanResult plan = plan_stage(job);
   stop_if_interrupted();
   const DriveResult result = drive_with_progress(job, options);
   stop_if_interrupted();
@@ -22,8 +22,8 @@ int evaluate(const CommonOptions& options) {
   if (options.json) {
     fmt::print("{}\n", json_text(result.json, 2));
   } else if (!options.quiet) {
-    fmt::print("{}\nresults, tables and pictures are in {}\n", run_summary(job, result),
-               job.folder.string());
+    fmt::print("{}{}\nresults, tables and pictures are in {}\n", run_summary(job, result),
+               cut_back_note(plan.path), job.folder.string());
   }
   return exit_code_of(result.verdict);
 }

@@ -18,21 +18,6 @@
 namespace headland {
 namespace {
 
-PlanRequest plan_request(const Job& job) {
-  const Vehicle& vehicle = job.stage.vehicle;
-  PlanRequest request;
-  request.field = job.stage.field;
-  request.terrain = &job.stage.terrain;
-  request.working_width_m = vehicle.implement.working_width_m;
-  request.turning_radius_m = planning_turning_radius_m(vehicle);
-  request.vehicle_width_m = vehicle.body.width_m;
-  request.vehicle_front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
-  request.vehicle_rear_m = vehicle.body.rear_overhang_m;
-  request.parameters = job.scenario.planner.parameters;
-  request.seed = job.scenario.seed;
-  return request;
-}
-
 CoverageRaster coverage_of(const Job& job, const RunRecord& run) {
   return measure_coverage(job.stage.field, run.footprints, job.scenario.working_width_m,
                           job.scenario.coverage_cell_m);
@@ -48,7 +33,7 @@ void remove_file(const std::filesystem::path& file) {
 PlanResult plan_stage(const Job& job) {
   const PlannerEntry& planner = find_planner(job.scenario.planner.name, job.scenario.file.string());
   PlanResult result;
-  result.plan = planner.plan(plan_request(job));
+  result.plan = planner.plan(plan_request(job.scenario, job.stage));
   result.path = make_path(job.stage.field, job.stage.vehicle, result.plan, job.scenario.path);
   const GeoFrame& frame = job.stage.field.frame;
   write_together(job.folder, {{kScenarioFile, scenario_yaml(job.scenario)},

@@ -148,6 +148,13 @@ std::string run_summary(const Job& job, const DriveResult& result) {
          kind_table(result.metrics) + verdict_text(result.verdict);
 }
 
+std::string cut_back_note(const Path& path) {
+  if (path.cut_back_m.empty()) return "";
+  return fmt::format("  {} swath ends cut back by up to {:.1f} m to make room for turns\n",
+                     path.cut_back_m.size(),
+                     *std::max_element(path.cut_back_m.begin(), path.cut_back_m.end()));
+}
+
 std::string plan_summary(const Job& job, const PlanResult& result) {
   std::string text =
       headline(job) + "\n" + row("planner", result.plan.planner) +
@@ -163,6 +170,7 @@ std::string plan_summary(const Job& job, const PlanResult& result) {
     text += row(fmt::format("{} x {}", count, path_kind_name(kind)),
                 fmt::format("{:.0f} m", length_of_m(result.path, kind)));
   }
+  text += cut_back_note(result.path);
   for (const PathViolation& violation : result.path.violations) {
     text += fmt::format("  does not fit at x {:.1f}, y {:.1f} m: {}\n", violation.p_W.x(),
                         violation.p_W.y(), violation.what);
@@ -185,6 +193,7 @@ Json plan_summary_json(const Job& job, const PlanResult& result) {
     json["by_kind"][std::string(path_kind_name(kind))] = {
         {"count", manoeuvres_of(result.path, kind)}, {"length_m", length_of_m(result.path, kind)}};
   }
+  json["cut_back_m"] = result.path.cut_back_m;
   json["violations"] = result.path.violations.size();
   return json;
 }

@@ -15,6 +15,9 @@ std::string run_summary(const Job& job, const DriveResult& result);
 std::string plan_summary(const Job& job, const PlanResult& result);
 nlohmann::ordered_json plan_summary_json(const Job& job, const PlanResult& result);
 
+// A line on swaths that were cut back for their turns; empty when none was.
+std::string cut_back_note(const Path& path);
+
 // What became of another tool's track.
 std::string track_summary(const TrackReport& report);
 nlohmann::ordered_json track_json(const TrackReport& report);

@@ -8,6 +8,7 @@
 
 #include "evaluate/verdict.h"
 #include "planner/drivable_path.h"
+#include "planner/plan.h"
 #include "sim/simulation.h"
 #include "terrains/field_source.h"
 #include "terrains/parameter.h"
@@ -57,5 +58,8 @@ struct Stage {
 
 // Throws InputError as read_field, read_terrain and load_vehicle do.
 Stage load_stage(const Scenario& scenario);
+
+// What the scenario asks of its planner. The stage must outlive the request.
+PlanRequest plan_request(const Scenario& scenario, const Stage& stage);
 
 }  // namespace headland

@@ -2,6 +2,7 @@
 
 #include "evaluate/scenario.h"
 #include "terrains/soil.h"
+#include "vehicle_models/vehicle_check.h"
 #include "vehicle_models/vehicle_loader.h"
 
 namespace headland {
@@ -18,7 +19,23 @@ Stage load_stage(const Scenario& scenario) {
                              [&](const Soil& soil) { return soil.name == scenario.soil; });
   stage.vehicle = load_vehicle(scenario.vehicle);
   stage.vehicle.implement.working_width_m = scenario.working_width_m;
+  check_vehicle(stage.vehicle, source);  // draft goes with the width
   return stage;
+}
+
+PlanRequest plan_request(const Scenario& scenario, const Stage& stage) {
+  const Vehicle& vehicle = stage.vehicle;
+  PlanRequest request;
+  request.field = stage.field;
+  request.terrain = &stage.terrain;
+  request.working_width_m = vehicle.implement.working_width_m;
+  request.turning_radius_m = planning_turning_radius_m(vehicle);
+  request.vehicle_width_m = vehicle.body.width_m;
+  request.vehicle_front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
+  request.vehicle_rear_m = vehicle.body.rear_overhang_m;
+  request.parameters = scenario.planner.parameters;
+  request.seed = scenario.seed;
+  return request;
 }
 
 }  // namespace headland

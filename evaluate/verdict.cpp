@@ -27,16 +27,26 @@ struct Check {
   std::string consequence;
 };
 
-std::string with_unit(double value, Unit unit) {
+std::string with_unit(double value, Unit unit, int more_digits) {
   switch (unit) {
     case Unit::kRatio:
-      return fmt::format("{:.2f}", value);
+      return fmt::format("{:.{}f}", value, 2 + more_digits);
     case Unit::kPercent:
-      return fmt::format("{:.1f} %", 100.0 * value);
+      return fmt::format("{:.{}f} %", 100.0 * value, 1 + more_digits);
     case Unit::kMetre:
-      return fmt::format("{:.2f} m", value);
+      return fmt::format("{:.{}f} m", value, 2 + more_digits);
   }
   return "";
+}
+
+// Digits after which a value just past its limit no longer reads like the limit itself.
+int telling_digits(double value, double limit, Unit unit) {
+  constexpr int kMostDigits = 6;
+  int digits = 0;
+  while (digits < kMostDigits && with_unit(value, unit, digits) == with_unit(limit, unit, digits)) {
+    ++digits;
+  }
+  return digits;
 }
 
 std::string clock_time(double time_s) {
@@ -72,10 +82,11 @@ Reason reason_of(const Check& check) {
     place = fmt::format(" at x {:.1f} m, y {:.1f} m after {}", check.peak->p_W.x(),
                         check.peak->p_W.y(), clock_time(check.peak->time_s));
   }
+  const int digits = telling_digits(check.value, reason.limit, check.unit);
   reason.text = fmt::format("{} {} {} (limit {}){}: {}", check.subject,
                             check.better == Better::kLess ? "reached" : "was only",
-                            with_unit(check.value, check.unit), with_unit(reason.limit, check.unit),
-                            place, check.consequence);
+                            with_unit(check.value, check.unit, digits),
+                            with_unit(reason.limit, check.unit, digits), place, check.consequence);
   return reason;
 }
 

@@ -173,7 +173,8 @@ void append_line(Joining& joining, std::size_t index) {
     if (!joining.options.allow_overrun) {
       // Too little room at the end of a swath is a matter of the headland.
       const double to_end_m = (worst.p_W - line.points.back().p_W).norm();
-      if (to_end_m <= reach_m(joining.space.hull) && index + 1 < joining.lines.size()) {
+      const double reach = reach_m(joining.space.hull) + kPathSpacing_m;
+      if (to_end_m <= reach && index + 1 < joining.lines.size()) {
         refuse_connection(joining, index + 1);
       }
       throw PlanInfeasible(

@@ -27,11 +27,9 @@ struct CommandResult {
   std::string err;
 };
 
-// A field of 60 m by 40 m on flat ground, coarse and quick. Overruns are
-// allowed: what is tested here is the command, not how well a plan fits.
+// A field of 60 m by 40 m on flat ground, coarse and quick.
 inline const std::string kTinyField =
     "field: {boundary: [[0, 0], [60, 0], [60, 40], [0, 40]]}\n"
-    "path: {allow_overrun: true}\n"
     "simulation: {record_hz: 2}\n"
     "coverage: {cell_m: 0.5}\n";
 inline const std::string kTinyScenario = kTinyField + "vehicle: transplanter\n";
