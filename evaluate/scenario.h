@@ -38,7 +38,7 @@ struct Scenario {
 };
 
 // Reads and resolves a scenario: defaults filled in, parameters completed, file paths absolute.
-// `seed` replaces the file's own and, unless the file names one for it, the terrain's. Throws
+// `seed` replaces the file's own and the terrain's, even where the file names it. Throws
 // InputError with file, line and key path for malformed YAML, an unknown key (with the nearest
 // known one), a key given twice, a missing one, a value out of its range, an unknown soil, vehicle,
 // planner or generator, or a file that is not there. Every key: docs/scenario.md.

@@ -141,7 +141,6 @@ const GeneratorEntry& find_generator(const YamlSection& section, const std::stri
 
 void read_terrain_source(const YamlSection& top, const fs::path& folder, Scenario& scenario) {
   TerrainSource& terrain = scenario.terrain;
-  terrain.seed = scenario.seed;
   // An absent section is an empty one: flat ground.
   const YamlSection section =
       read_section(top, "terrain")
@@ -165,7 +164,7 @@ void read_terrain_source(const YamlSection& top, const fs::path& folder, Scenari
     refuse_unknown_keys(section, known);
   }
   read_numbers(section, scenario);
-  terrain.seed = read_whole_number(section, "seed").value_or(terrain.seed);
+  terrain.seed = read_whole_number(section, "seed").value_or(scenario.seed);
   numbers_section(section, "micro_relief", scenario);
 }
 
@@ -247,9 +246,10 @@ Scenario read_scenario(const fs::path& file, std::optional<std::uint64_t> seed) 
   Scenario scenario;
   scenario.file = file;
   scenario.name = read_word(top, "name").value_or(file.stem().string());
-  scenario.seed = seed.value_or(read_whole_number(top, "seed").value_or(scenario.seed));
+  scenario.seed = read_whole_number(top, "seed").value_or(scenario.seed);
   scenario.field = read_field_source(top, folder);
   read_terrain_source(top, folder, scenario);
+  if (seed) scenario.seed = scenario.terrain.seed = *seed;
   scenario.soil = read_soil(top, scenario.soil);
   scenario.vehicle = read_vehicle(top, folder);
   scenario.working_width_m = load_vehicle(scenario.vehicle).implement.working_width_m;

@@ -93,10 +93,11 @@ verdict: {slip_max: {fail: 0.25}}
   EXPECT_EQ(scenario.verdict.slip_max.warn, VerdictLimits{}.slip_max.warn);
 }
 
-TEST_F(ScenarioTest, TerrainFollowsTheSeedUnlessItHasItsOwn) {
+TEST_F(ScenarioTest, TerrainFollowsTheSeedUnlessItHasItsOwnAndAGivenOneIsForAll) {
   EXPECT_EQ(read(kLeast + "seed: 5\n").terrain.seed, 5U);
+  EXPECT_EQ(read(kLeast + "seed: 5\nterrain: {seed: 2}\n").terrain.seed, 2U);
   EXPECT_EQ(read(kLeast + "seed: 5\n", 6).terrain.seed, 6U);
-  EXPECT_EQ(read(kLeast + "seed: 5\nterrain: {seed: 2}\n", 6).terrain.seed, 2U);
+  EXPECT_EQ(read(kLeast + "seed: 5\nterrain: {seed: 2}\n", 6).terrain.seed, 6U);
   EXPECT_EQ(read(kLeast + "seed: 5\n", 6).seed, 6U);
 }
 
