@@ -39,6 +39,13 @@ std::optional<TrackReport> prepare_path(const Job& job, const fs::path& planned,
   return std::nullopt;
 }
 
+// What made the plan is written in its folder; changed now it would not be the plan's any more.
+void refuse_planning_options(const CommonOptions& options) {
+  const char* allowed = "is for planning; give it to 'headland plan', or here along with --path";
+  if (options.seed) throw InputError("--seed", "", fmt::format("{}", *options.seed), allowed);
+  if (options.allow_overrun) throw InputError("--allow-overrun", "", "", allowed);
+}
+
 int drive(const DriveOptions& options) {
   const fs::path given = options.common.scenario;
   const bool planned = fs::is_directory(given);
@@ -47,9 +54,10 @@ int drive(const DriveOptions& options) {
         given.string(), "", "",
         "no path to drive: give the folder that 'headland plan' wrote, or --path FILE");
   }
-  if (!planned && options.common.folder.empty()) {
-    throw InputError("-o", "", "", "a folder for the results is needed");
+  if (options.common.folder.empty() && !options.track.empty()) {
+    throw InputError("-o", "", "", "--path needs a folder for the results");
   }
+  if (options.track.empty()) refuse_planning_options(options.common);
   if (planned && options.track.empty() && !fs::exists(given / kPathFile)) {
     throw InputError((given / kPathFile).string(), "", "",
                      "no such file: 'headland plan' writes it");
@@ -83,8 +91,9 @@ void add_drive_command(CLI::App& app, int& exit_code) {
       ->add_option("SCENARIO_OR_DIR", options->common.scenario,
                    "Folder that 'headland plan' wrote, or a scenario with --path")
       ->required();
-  command->add_option("-o,--output", options->common.folder,
-                      "Folder for the results; default: the folder of the plan");
+  command->add_option(
+      "-o,--output", options->common.folder,
+      "Folder for the results; default: the folder of the plan. Needed with --path");
   command->add_option("--path", options->track,
                       "Drive another tool's plan or a logged track instead: GeoJSON line or CSV "
                       "with x,y in metres or lon,lat in degrees");

@@ -32,9 +32,12 @@ void remove_file(const std::filesystem::path& file) {
 
 PlanResult plan_stage(const Job& job) {
   const PlannerEntry& planner = find_planner(job.scenario.planner.name, job.scenario.file.string());
+  stop_if_interrupted();
   PlanResult result;
   result.plan = planner.plan(plan_request(job.scenario, job.stage));
+  stop_if_interrupted();
   result.path = make_path(job.stage.field, job.stage.vehicle, result.plan, job.scenario.path);
+  stop_if_interrupted();
   const GeoFrame& frame = job.stage.field.frame;
   write_together(job.folder, {{kScenarioFile, scenario_yaml(job.scenario)},
                               {kPlanFile, plan_geojson(result.plan, frame)},
@@ -46,9 +49,11 @@ PlanResult plan_stage(const Job& job) {
 Path track_stage(const Job& job, const std::filesystem::path& track_file, double tolerance_m,
                  TrackReport& report) {
   const GeoFrame& frame = job.stage.field.frame;
+  stop_if_interrupted();
   const Track track = read_track(track_file, frame);
   Path path = make_drivable(job.stage.field, job.stage.vehicle, track, tolerance_m,
                             job.scenario.path, &report);
+  stop_if_interrupted();
   write_together(job.folder, {{kScenarioFile, scenario_yaml(job.scenario)},
                               {kPathFile, path_geojson(path, frame)}});
   remove_file(job.folder / kPlanFile);

@@ -38,11 +38,11 @@ struct DriveResult {
 };
 
 // Plans the field and makes the plan drivable. Writes scenario.yaml, plan.geojson, path.geojson.
-// Throws PlanInfeasible.
+// Throws PlanInfeasible, and Interrupted after Ctrl-C: nothing is written then.
 PlanResult plan_stage(const Job& job);
 
 // Makes another tool's track drivable instead; tells in `report` what that took. Writes
-// scenario.yaml and path.geojson.
+// scenario.yaml and path.geojson. Throws Interrupted after Ctrl-C: nothing is written then.
 Path track_stage(const Job& job, const std::filesystem::path& track_file, double tolerance_m,
                  TrackReport& report);
 

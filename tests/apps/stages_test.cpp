@@ -1,10 +1,13 @@
 // The command from end to end, on a tiny field.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "tests/apps/command.h"
 
@@ -63,6 +66,27 @@ TEST_F(StagesTest, DrivesATrackOfAnotherTool) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "DIR" / "plan.geojson"));
 }
 
+TEST_F(StagesTest, ATrackAndPlanningOptionsLeaveAPlannedFolderAlone) {
+  write("track.csv", "x,y\n10,20\n20,20\n30,20\n40,20\n50,20\n");
+  ASSERT_EQ(headland("plan tiny.yaml -o DIR -q").exit_code, 0);
+  const std::set<std::string> planned = files_in("DIR");
+  const std::pair<const char*, const char*> refused[] = {
+      {"drive DIR --path track.csv", "-o: --path needs a folder"},
+      {"drive DIR --seed 3", "--seed: '3': is for planning"},
+      {"drive DIR --allow-overrun", "--allow-overrun: is for planning"}};
+  for (const auto& [arguments, message] : refused) {
+    const CommandResult result = headland(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_THAT(result.err, HasSubstr(message));
+    EXPECT_EQ(files_in("DIR"), planned) << arguments;
+  }
+  // Negative control: with a track and a folder of its own they are all fine.
+  const CommandResult result =
+      headland("drive DIR --path track.csv --seed 3 --allow-overrun -o OTHER");
+  EXPECT_EQ(result.exit_code, 1) << result.err;  // one strip does not cover the field
+  EXPECT_EQ(files_in("DIR"), planned);
+}
+
 // Whether process `pid` has come so far as to handle Ctrl-C itself.
 bool catches_interrupts(pid_t pid) {
   constexpr unsigned long kInterruptBit = 1UL << (SIGINT - 1);
@@ -72,29 +96,55 @@ bool catches_interrupts(pid_t pid) {
          (std::stoul(status.substr(found + 7), nullptr, 16) & kInterruptBit) != 0;
 }
 
+struct Interruption {
+  int exit_code = -1;
+  std::string err;
+};
+
+// Runs `headland SUBCOMMAND ARGUMENTS...` in `folder`, sends Ctrl-C `delay_us` after it has come to
+// handle it, and then calls `go_on`.
+Interruption interrupt(const std::filesystem::path& folder, std::vector<const char*> arguments,
+                       useconds_t delay_us, const std::function<void()>& go_on) {
+  arguments.insert(arguments.begin(), "headland");
+  arguments.push_back(nullptr);
+  const std::string errors = (folder / ".err").string();
+  const pid_t pid = ::fork();
+  if (pid == 0) {
+    if (::chdir(folder.c_str()) != 0) ::_exit(99);
+    if (std::freopen(errors.c_str(), "w", stderr) == nullptr) ::_exit(99);
+    ::execv(HEADLAND_BINARY, const_cast<char* const*>(arguments.data()));
+    ::_exit(99);
+  }
+  while (!catches_interrupts(pid)) ::usleep(1000);
+  ::usleep(delay_us);
+  ::kill(pid, SIGINT);
+  go_on();
+  int status = 0;
+  ::waitpid(pid, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(errors)};
+}
+
+TEST_F(StagesTest, CtrlCWhilePlanningWritesNothing) {
+  // A pipe holds the command in front of its scenario until the signal is there.
+  const std::filesystem::path pipe = folder_ / "pipe.yaml";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const Interruption plan = interrupt(folder_, {"plan", "pipe.yaml", "-o", "DIR"}, 0,
+                                      [&] { write("pipe.yaml", kTinyScenario); });
+  EXPECT_EQ(plan.exit_code, 130);
+  EXPECT_THAT(plan.err, HasSubstr("headland: interrupted"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "DIR"));
+}
+
 TEST_F(StagesTest, CtrlCDropsTheRunAndKeepsThePlan) {
   // Fast steps make the drive last for seconds.
   write(
       "tiny.yaml",
       std::string(kTinyScenario).replace(kTinyScenario.find("record_hz: 2"), 12, "rate_hz: 2000"));
   ASSERT_EQ(headland("plan tiny.yaml -o DIR -q").exit_code, 0);
-  const std::string folder = (folder_ / "DIR").string();
-  const std::string errors = (folder_ / ".err").string();
-  const pid_t pid = ::fork();
-  if (pid == 0) {
-    if (std::freopen(errors.c_str(), "w", stderr) == nullptr) ::_exit(99);
-    ::execl(HEADLAND_BINARY, "headland", "drive", folder.c_str(), static_cast<char*>(nullptr));
-    ::_exit(99);
-  }
-  while (!catches_interrupts(pid)) ::usleep(1000);
   constexpr useconds_t kIntoTheDrive_us = 300000;
-  ::usleep(kIntoTheDrive_us);
-  ::kill(pid, SIGINT);
-  int status = 0;
-  ::waitpid(pid, &status, 0);
-  EXPECT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 130);
-  EXPECT_THAT(text_of(errors), HasSubstr("headland: interrupted"));
+  const Interruption drive = interrupt(folder_, {"drive", "DIR"}, kIntoTheDrive_us, [] {});
+  EXPECT_EQ(drive.exit_code, 130);
+  EXPECT_THAT(drive.err, HasSubstr("headland: interrupted"));
   EXPECT_THAT(files_in("DIR"),
               UnorderedElementsAre("scenario.yaml", "plan.geojson", "path.geojson"));
 }
