@@ -134,7 +134,7 @@ void add_ledger(std::vector<bench::Figure>& figures) {
       double rows_m3 = 0.0, rows_m = 0.0, turns_m3 = 0.0, turns_m = 0.0;
       for (const SegmentRecord& segment : run.segments) {
         const bool row = path.segments[static_cast<std::size_t>(segment.segment)].implement_down;
-        (row ? rows_m3 : turns_m3) += segment.cross_track_sum_m2;
+        (row ? rows_m3 : turns_m3) += segment.cross_track_sum_m3;
         (row ? rows_m : turns_m) += segment.distance_m;
       }
       figures.push_back(

@@ -73,7 +73,7 @@ Metrics measure_run(const Path& path, const RunRecord& run, const CoverageFigure
     totals.distance_m += driven.distance_m;
     add(totals.energy, driven.energy);
     DistanceMean& mean = segment.implement_down ? working : turning;
-    mean.integral_m3 += driven.cross_track_sum_m2;
+    mean.integral_m3 += driven.cross_track_sum_m3;
     mean.distance_m += driven.distance_m;
   }
   metrics.turns = metrics.by_kind[static_cast<std::size_t>(PathKind::kTurn)].count;

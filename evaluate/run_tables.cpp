@@ -255,7 +255,7 @@ std::string segments_csv(const Path& path, const std::vector<SegmentRecord>& seg
     text.push_back(',');
     append_number(
         text,
-        record.distance_m > 0.0 ? std::sqrt(record.cross_track_sum_m2 / record.distance_m) : 0.0,
+        record.distance_m > 0.0 ? std::sqrt(record.cross_track_sum_m3 / record.distance_m) : 0.0,
         kErrorDecimals);
     text.push_back('\n');
   }
@@ -271,7 +271,7 @@ std::vector<SegmentRecord> read_segments_csv(const std::filesystem::path& file) 
     std::copy_n(values.begin() + std::size(kSegmentColumns), kEnergyCauses,
                 record.energy.cause_j.begin());
     record.segment = static_cast<int>(values[values.size() - 2]);
-    record.cross_track_sum_m2 = values.back() * values.back() * record.distance_m;
+    record.cross_track_sum_m3 = values.back() * values.back() * record.distance_m;
   });
   return segments;
 }

@@ -20,7 +20,7 @@ struct Limit {
   double fail = 0.0;
 };
 
-// Sources: PHYSICS of the project's docs (docs/verdict.md); every number can be set in the
+// Sources: docs/verdict.md; every number can be set in the
 // scenario.
 struct VerdictLimits {
   Limit coverage_ratio_min{0.98, 0.95};

@@ -17,9 +17,10 @@ Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
     lines.push_back(work_line(pass, vehicle.implement.x_B_m));
   }
   const ConnectionOptions connection{planning_turning_radius_m(vehicle), options.clearance_m};
-  std::vector<double> cuts = make_room_for_turns(plan, field, free_space(field, hull_of(vehicle)),
-                                                 connection, vehicle.implement.x_B_m, lines);
-  Path path = join_lines(field, vehicle, lines, options);
+  const FreeSpace space = free_space(field, hull_of(vehicle));
+  std::vector<double> cuts =
+      make_room_for_turns(plan, field, space, connection, vehicle.implement.x_B_m, lines);
+  Path path = join_lines(field, vehicle, space, lines, options);
   path.cut_back_m = std::move(cuts);
   return path;
 }

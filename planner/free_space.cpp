@@ -254,12 +254,17 @@ FreeSpace free_space(const Field& field, const Hull& hull) {
                  &FreeSpace::Cell::obstacles);
   }
   for (int row = 0; row < space.rows; ++row) {
+    bool inside_here = false;
     for (int column = 0; column < space.columns; ++column) {
       FreeSpace::Cell& cell = space.cells[at(space, column, row)];
       const Vector2d centre = low + space.cell_m * Vector2d(column + 0.5, row + 0.5);
       const double distance = nearest_edge(space, centre).distance_m;
-      cell.edge_distance_m =
-          static_cast<float>(inside_by_all_edges(space, centre) ? distance : -distance);
+      // No edge runs between two neighbouring centres whose cells hold none.
+      if (column == 0 || !cell.edges.empty() ||
+          !space.cells[at(space, column - 1, row)].edges.empty()) {
+        inside_here = inside_by_all_edges(space, centre);
+      }
+      cell.edge_distance_m = static_cast<float>(inside_here ? distance : -distance);
       cell.obstacle_distance_m = std::numeric_limits<float>::max();
       for (const Obstacle& obstacle : space.obstacles) {
         const double gap = (obstacle.p_W - centre).norm() - obstacle.radius_m;

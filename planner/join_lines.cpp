@@ -232,12 +232,15 @@ void append_entry(Joining& joining, const Eigen::Vector2d& entry_W) {
     return;
   }
   const ConnectionOptions options{joining.radius_m, joining.options.clearance_m};
-  for (const Choice& choice : choices) {
+  // What blocks one heading blocks the others: a route is searched from the cheapest alone.
+  if (!choices.empty()) {
+    const Choice& choice = choices.front();
     const auto arcs =
         connect(joining.space, choice.from, pose_of(to), options, joining.node_budget);
-    if (!arcs) break;  // what blocks one heading blocks the others: go on without searching again
-    append_arcs(joining, choice.from, *arcs, to, PathKind::kTransit);
-    return;
+    if (arcs) {
+      append_arcs(joining, choice.from, *arcs, to, PathKind::kTransit);
+      return;
+    }
   }
   if (!joining.options.allow_overrun) {
     throw PlanInfeasible(fmt::format(
@@ -246,23 +249,17 @@ void append_entry(Joining& joining, const Eigen::Vector2d& entry_W) {
   }
   const Pose from = choices.empty() ? Pose{entry_W, to.heading_rad} : choices.front().from;
   const auto arcs = connect_overrunning(joining.space, from, pose_of(to), joining.radius_m);
-  record(joining, worst_overrun(joining.space, from, arcs), "way from the entry");
+  const Overrun worst = worst_overrun(joining.space, from, arcs);
+  if (worst.depth_m > 0.0) record(joining, worst, "way from the entry");
   append_arcs(joining, from, arcs, to, PathKind::kTransit);
 }
 
 }  // namespace
 
-Path join_lines(const Field& field, const Vehicle& vehicle, const std::vector<WorkLine>& lines,
-                const PathOptions& options) {
-  Joining joining{field,
-                  vehicle,
-                  lines,
-                  options,
-                  free_space(field, hull_of(vehicle)),
-                  planning_turning_radius_m(vehicle),
-                  kNodeBudget,
-                  0,
-                  {}};
+Path join_lines(const Field& field, const Vehicle& vehicle, const FreeSpace& space,
+                const std::vector<WorkLine>& lines, const PathOptions& options) {
+  Joining joining{field,       vehicle, lines, options, space, planning_turning_radius_m(vehicle),
+                  kNodeBudget, 0,       {}};
   if (field.entry_W) append_entry(joining, *field.entry_W);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (i > 0) append_connection(joining, i);

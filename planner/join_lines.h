@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planner/drivable_path.h"
+#include "planner/free_space.h"
 #include "planner/work_line.h"
 
 namespace headland {
@@ -18,9 +19,9 @@ inline constexpr double kTransitWidths = 4.0;
 // quotient on a smoothed line.
 inline constexpr double kCurvatureTolerance = 0.02;
 
-// At least one line. The implement is down on the lines and up between them. Throws
-// PlanInfeasible as make_path does.
-Path join_lines(const Field& field, const Vehicle& vehicle, const std::vector<WorkLine>& lines,
-                const PathOptions& options);
+// At least one line. `space` is the field's for this vehicle. The implement is down on the lines
+// and up between them. Throws PlanInfeasible as make_path does.
+Path join_lines(const Field& field, const Vehicle& vehicle, const FreeSpace& space,
+                const std::vector<WorkLine>& lines, const PathOptions& options);
 
 }  // namespace headland

@@ -156,18 +156,32 @@ void drive_backwards(const CornerTable& table, std::vector<Stop>& order, std::si
                order.begin() + static_cast<std::ptrdiff_t>(last) + 1);
 }
 
+// The two links of a stretch if it were driven backwards.
+double links_backwards_m(const CornerTable& table, const std::vector<Stop>& order,
+                         std::size_t first, std::size_t last) {
+  const auto turned = [&](const Stop& stop) {
+    return Stop{stop.first, stop.second ^ table.backwards[stop.first]};
+  };
+  const Stop begin = turned(order[last]);
+  const Stop end = turned(order[first]);
+  double sum_m = first == 0 ? table.from_start(begin.first, begin.second)
+                            : table.between(order[first - 1].first, order[first - 1].second,
+                                            begin.first, begin.second);
+  if (last + 1 < order.size()) {
+    sum_m += table.between(end.first, end.second, order[last + 1].first, order[last + 1].second);
+  }
+  return sum_m;
+}
+
 // Drives a stretch backwards where that shortens its two links; inside it the links stay.
 bool improve_by_reversal(const CornerTable& table, std::vector<Stop>& order) {
   bool improved = false;
   for (std::size_t i = 0; i < order.size(); ++i) {
     for (std::size_t j = i; j < order.size(); ++j) {
       const double before_m = link_m(table, order, i) + link_m(table, order, j + 1);
+      if (links_backwards_m(table, order, i, j) >= before_m - kGain_m) continue;
       drive_backwards(table, order, i, j);
-      if (link_m(table, order, i) + link_m(table, order, j + 1) < before_m - kGain_m) {
-        improved = true;
-      } else {
-        drive_backwards(table, order, i, j);
-      }
+      improved = true;
     }
   }
   return improved;

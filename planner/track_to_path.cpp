@@ -93,7 +93,7 @@ Path make_drivable(const Field& field, const Vehicle& vehicle, const Track& trac
           fmt::format("piece shorter than {} m at {} left out", kMinPiece_m, place_name(dropped)));
     }
   }
-  return join_lines(field, vehicle, lines, options);
+  return join_lines(field, vehicle, free_space(field, hull_of(vehicle)), lines, options);
 }
 
 }  // namespace headland

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -187,6 +188,15 @@ std::optional<Turn> reeds_shepp(const Pose& from, const Pose& to, double radius_
 
 double reeds_shepp_length_m(const Pose& from, const Pose& to, double radius_m) {
   return reeds_shepp_path(from, to, radius_m).length() * radius_m;
+}
+
+double forward_length_m(const Pose& from, const Pose& to, double radius_m) {
+  std::vector<Turn> found;
+  add_with_line(from, to, radius_m, kGears[0], found);
+  add_with_circle(from, to, radius_m, kGears[0], found);
+  double shortest_m = std::numeric_limits<double>::max();
+  for (const Turn& turn : found) shortest_m = std::min(shortest_m, turn.cost_m);
+  return shortest_m;
 }
 
 std::vector<Turn> turns(const Pose& from, const Pose& to, double radius_m) {

@@ -31,6 +31,10 @@ std::string word_of(const std::vector<Arc>& arcs);
 // the shortest curve of Reeds and Shepp (OMPL). Radius in metres, positive.
 std::vector<Turn> turns(const Pose& from, const Pose& to, double radius_m);
 
+// Length of the shortest curve driven forward (Dubins 1957), by the closed forms above: OMPL's
+// Dubins aborts the program where rounding spoils a word.
+double forward_length_m(const Pose& from, const Pose& to, double radius_m);
+
 // The shortest curve with both gears (Reeds and Shepp 1990), by OMPL; none when rounding spoils it.
 std::optional<Turn> reeds_shepp(const Pose& from, const Pose& to, double radius_m);
 double reeds_shepp_length_m(const Pose& from, const Pose& to, double radius_m);

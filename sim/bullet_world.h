@@ -14,7 +14,7 @@ namespace headland {
 
 // One rigid body (the vehicle with its implement) over the terrain, among the field's obstacles.
 // Gravity acts; everything else comes in through step(). The hull collides with obstacles but not
-// with the terrain: wheels and belly probes carry it (a box resting on a heightfield costs 70
+// with the terrain: the wheels carry it (a box resting on a heightfield costs 70
 // times a free body's step). `terrain` is not copied and must outlive the world.
 // One world per thread.
 class BulletWorld {

@@ -130,7 +130,7 @@ double steer_wanted(const Route& route, const RouteRun& run, const Vehicle& vehi
   const double c = std::cos(view.yaw_rad);
   const double s = std::sin(view.yaw_rad);
   const double x_m = c * target.x() + s * target.y();
-  const double y_m = -s * target.x() + c * target.y() - state.cross_track_integral_m_s;
+  const double y_m = -s * target.x() + c * target.y() - state.cross_track_integral_m;
   const double limit_rad = vehicle.steering.max_angle_rad;
   const bool behind = run.gear == Gear::kForward ? x_m <= 0.0 : x_m >= 0.0;
   if (behind) return y_m >= 0.0 ? limit_rad : -limit_rad;
@@ -224,11 +224,11 @@ DriverCommand drive(const Route& route, const Vehicle& vehicle, const DriverView
 
   // The integral learns a side slope's bias on working rows and is forgotten elsewhere.
   if (works && std::abs(view.speed_mps) > kStandstill_mps) {
-    state.cross_track_integral_m_s = std::clamp(
-        state.cross_track_integral_m_s + kCrossTrackIntegralGain_per_s * dt_s * state.cross_track_m,
+    state.cross_track_integral_m = std::clamp(
+        state.cross_track_integral_m + kCrossTrackIntegralGain_per_s * dt_s * state.cross_track_m,
         -kCrossTrackIntegralMax_m, kCrossTrackIntegralMax_m);
   } else if (!works) {
-    state.cross_track_integral_m_s = 0.0;
+    state.cross_track_integral_m = 0.0;
   }
 
   const double steer_target = steer_wanted(route, run, vehicle, view, state);

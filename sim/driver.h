@@ -46,7 +46,7 @@ struct DriverState {
   double steer_rad = 0.0;      // actual, rate-limited
   double reference_mps = 0.0;  // speed asked for, along the gear: ramps up, follows the limit down
   double speed_integral_m = 0.0;
-  double cross_track_integral_m_s = 0.0;
+  double cross_track_integral_m = 0.0;
   double lowered = 0.0;  // implement: 0 up, 1 down
   bool starting = true;  // waits at a run's start until the wheels point the right way
   bool finished = false;

@@ -47,30 +47,35 @@ Place place_of(const ChassisState& chassis, const ChassisMass& mass) {
   return place;
 }
 
-void check_hull(Recorder& recorder, const Place& place, const ChassisState& chassis,
-                double time_s) {
-  const Vehicle& vehicle = recorder.machine.vehicle;
-  const Body& body = vehicle.body;
-  Peaks& peaks = recorder.record.peaks;
-  const double front_m = body.length_m - body.rear_overhang_m;
-  const double half_m = 0.5 * body.width_m;
-  bool belly_down = false;
-  for (const double x_m : {-body.rear_overhang_m, front_m}) {
-    for (const double y_m : {-half_m, half_m}) {
-      const Eigen::Vector2d corner = place.at(x_m, y_m);
-      raise_peak(peaks.boundary_overrun_m,
-                 std::max(0.0, -field_clearance_m(recorder.field, corner)), time_s, corner);
+// Whether the belly's corners are below the ground.
+bool belly_touches(const Machine& machine, const Place& place, const ChassisState& chassis) {
+  const Body& body = machine.vehicle.body;
+  for (const double x_m : {-body.rear_overhang_m, body.length_m - body.rear_overhang_m}) {
+    for (const double y_m : {-0.5 * body.width_m, 0.5 * body.width_m}) {
       const Eigen::Vector3d probe =
           place.p_WB + chassis.R_WB * Eigen::Vector3d(x_m, y_m, body.ground_clearance_m);
-      belly_down = belly_down ||
-                   probe.z() < surface_at(recorder.machine.terrain, probe.x(), probe.y()).height_m;
+      if (probe.z() < surface_at(machine.terrain, probe.x(), probe.y()).height_m) return true;
     }
   }
+  return false;
+}
+
+void check_hull(Recorder& recorder, const Place& place, const ChassisState& chassis,
+                double time_s) {
+  Peaks& peaks = recorder.record.peaks;
+  const Overrun over = overrun(recorder.space, {place.p_WB.head<2>(), place.yaw_pitch_roll.x()});
+  // Obstacles are Bullet's: touching one ends the run.
+  if (over.limit == Limit::kBoundary || over.limit == Limit::kHole) {
+    raise_peak(peaks.boundary_overrun_m, over.depth_m, time_s, over.p_W);
+  }
+  const bool belly_down = belly_touches(recorder.machine, place, chassis);
   if (belly_down && !recorder.belly_down) ++peaks.belly_contacts;
   recorder.belly_down = belly_down;
-  const double reach_m = 0.5 * vehicle.implement.working_width_m;
+  const Implement& implement = recorder.machine.vehicle.implement;
+  const double reach_m = 0.5 * implement.working_width_m;
   for (const double y_m : {-reach_m, reach_m}) {
-    const Eigen::Vector2d end = place.at(vehicle.implement.x_B_m, y_m);
+    const Eigen::Vector2d end = place.at(implement.x_B_m, y_m);
+    if (disc_fits(recorder.space, end, 0.0)) continue;
     raise_peak(peaks.implement_overhang_m, std::max(0.0, -field_clearance_m(recorder.field, end)),
                time_s, end);
   }
@@ -169,6 +174,7 @@ double SlidingMean::add(double value) {
 Recorder make_recorder(const Machine& machine, const Field& field, double rate_hz, double record_hz,
                        double footprint_spacing_m) {
   Recorder recorder{machine, field};
+  recorder.space = free_space(field, hull_of(machine.vehicle));
   recorder.dt_s = 1.0 / rate_hz;
   recorder.sample_every = std::max(1, static_cast<int>(std::lround(rate_hz / record_hz)));
   recorder.footprint_spacing_m = footprint_spacing_m;
@@ -199,7 +205,7 @@ void record_step(Recorder& recorder, const StepReport& report, const MachineStat
   SegmentRecord& segment = record.segments.back();
   segment.duration_s += recorder.dt_s;
   segment.distance_m += step_m;
-  segment.cross_track_sum_m2 += driver.cross_track_m * driver.cross_track_m * step_m;
+  segment.cross_track_sum_m3 += driver.cross_track_m * driver.cross_track_m * step_m;
   add(segment.energy, report.energy);
 
   raise_peaks(recorder, report, driver, command, place, time_s);

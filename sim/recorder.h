@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "planner/free_space.h"
 #include "sim/driver.h"
 #include "sim/machine.h"
 #include "sim/run_record.h"
@@ -24,6 +25,7 @@ struct SlidingMean {
 struct Recorder {
   const Machine& machine;
   const Field& field;
+  FreeSpace space{};  // of the field, for the vehicle's hull
   double dt_s = 0.0;
   int sample_every = 1;  // steps
   double footprint_spacing_m = 0.1;
@@ -43,7 +45,7 @@ struct Recorder {
 Recorder make_recorder(const Machine& machine, const Field& field, double rate_hz, double record_hz,
                        double footprint_spacing_m);
 
-// Adds one step. `steer_rad`, `driver` and `command` are those that the step was driven with.
+// Adds one step. `driver` and `command` are those that the step was driven with.
 void record_step(Recorder& recorder, const StepReport& report, const MachineState& state,
                  const DriverState& driver, const DriverCommand& command);
 

@@ -92,7 +92,7 @@ struct SegmentRecord {
   double duration_s = 0.0;
   double distance_m = 0.0;
   EnergyBalance energy;
-  double cross_track_sum_m2 = 0.0;  // integral of squared error over distance [m3]
+  double cross_track_sum_m3 = 0.0;  // integral of squared error over distance [m3]
 };
 
 // An extreme or an incident, at full time resolution.

@@ -1,7 +1,6 @@
 #include "planner/algorithms/boustrophedon.h"
 
 #include <fmt/format.h>
-#include <ompl/base/spaces/DubinsStateSpace.h>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +13,7 @@
 #include "planner/headland_rings.h"
 #include "planner/swath_cells.h"
 #include "planner/swaths.h"
+#include "planner/turns.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -78,39 +78,12 @@ std::optional<Eigen::Vector2d> end_of(const std::vector<Pass>& passes,
   return passes.back().points_W.back();
 }
 
-// Length [m] of the shortest curve that a vehicle driving forward can follow (Dubins, by OMPL).
-class ForwardCurves {
- public:
-  explicit ForwardCurves(double radius_m)
-      : space_(radius_m), from_(space_.allocState()), to_(space_.allocState()) {}
-  ~ForwardCurves() {
-    space_.freeState(from_);
-    space_.freeState(to_);
-  }
-  ForwardCurves(const ForwardCurves&) = delete;
-  ForwardCurves& operator=(const ForwardCurves&) = delete;
-  ForwardCurves(ForwardCurves&&) = delete;
-  ForwardCurves& operator=(ForwardCurves&&) = delete;
+double heading_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
-  double length_m(const Eigen::Vector2d& from_W, const Eigen::Vector2d& from_direction,
-                  const Eigen::Vector2d& to_W, const Eigen::Vector2d& to_direction) const {
-    set(from_, from_W, from_direction);
-    set(to_, to_W, to_direction);
-    return space_.distance(from_, to_);
-  }
-
- private:
-  static void set(ompl::base::State* state, const Eigen::Vector2d& p_W,
-                  const Eigen::Vector2d& direction) {
-    auto* pose = state->as<ompl::base::SE2StateSpace::StateType>();
-    pose->setXY(p_W.x(), p_W.y());
-    pose->setYaw(std::atan2(direction.y(), direction.x()));
-  }
-
-  ompl::base::DubinsStateSpace space_;
-  ompl::base::State* from_;
-  ompl::base::State* to_;
-};
+Pose end_pose(const Pass& pass) {
+  const Polyline& line = pass.points_W;
+  return {line.back(), heading_of(line.back() - line[line.size() - 2])};
+}
 
 struct RingBegin {
   std::size_t point = 0;
@@ -124,7 +97,6 @@ RingBegin best_begin(const Polyline& ring, const Pass* before,
                      const std::optional<Eigen::Vector2d>& entry_W, double turning_radius_m) {
   RingBegin best;
   const std::size_t count = ring.size() - 1;
-  const ForwardCurves curves(turning_radius_m);
   const auto step = std::max<std::size_t>(
       1, static_cast<std::size_t>(kBeginSpacing_m * static_cast<double>(count) / length_m(ring)));
   for (std::size_t i = 0; i < count; i += step) {
@@ -132,9 +104,8 @@ RingBegin best_begin(const Polyline& ring, const Pass* before,
     for (const bool reversed : {false, true}) {
       double cost_m = 0.0;
       if (before != nullptr) {
-        const Polyline& line = before->points_W;
-        cost_m = curves.length_m(line.back(), line.back() - line[line.size() - 2], ring[i],
-                                 reversed ? Eigen::Vector2d(-along) : along);
+        const Pose to{ring[i], heading_of(reversed ? Eigen::Vector2d(-along) : along)};
+        cost_m = forward_length_m(end_pose(*before), to, turning_radius_m);
       } else if (entry_W) {
         cost_m = (ring[i] - *entry_W).norm();
       }

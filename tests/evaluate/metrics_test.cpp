@@ -38,7 +38,7 @@ struct Drive {
     driven.duration_s = distance_m;
     driven.energy.battery_j = battery_j;
     cause(driven.energy, EnergyCause::kRolling) = battery_j;
-    driven.cross_track_sum_m2 = error_integral_m3;
+    driven.cross_track_sum_m3 = error_integral_m3;
     run.segments.push_back(driven);
     run.energy.battery_j += battery_j;
     cause(run.energy, EnergyCause::kRolling) += battery_j;

@@ -91,7 +91,7 @@ RunRecord some_run() {
   segment.duration_s = 4.0;
   segment.distance_m = 2.0;
   segment.energy = run.energy;
-  segment.cross_track_sum_m2 = 0.02;  // 0.1 m rms over 2 m
+  segment.cross_track_sum_m3 = 0.02;  // 0.1 m rms over 2 m
   run.segments = {segment};
   return run;
 }
@@ -236,7 +236,7 @@ TEST_F(RunFilesTest, AWholeRunComesBack) {
   EXPECT_EQ(read.segments[0].segment, 1);
   EXPECT_EQ(read.segments[0].energy.cause_j, run_.energy.cause_j);
   // Its root is written with 6 decimals, about 0.1 m here: 0.1 +- 5e-7, squared, times 2 m.
-  EXPECT_NEAR(read.segments[0].cross_track_sum_m2, 0.02, 3e-7);
+  EXPECT_NEAR(read.segments[0].cross_track_sum_m3, 0.02, 3e-7);
 }
 
 TEST_F(RunFilesTest, RefusesTablesThatAreNone) {

@@ -70,7 +70,7 @@ TEST(Simulation, RowsAndTurnsStayWithinTheTargets) {
   double rows_m3 = 0.0, rows_m = 0.0, turns_m3 = 0.0, turns_m = 0.0;
   for (const SegmentRecord& segment : run.segments) {
     const bool row = path.segments[static_cast<std::size_t>(segment.segment)].implement_down;
-    (row ? rows_m3 : turns_m3) += segment.cross_track_sum_m2;
+    (row ? rows_m3 : turns_m3) += segment.cross_track_sum_m3;
     (row ? rows_m : turns_m) += segment.distance_m;
   }
   EXPECT_LT(std::sqrt(rows_m3 / rows_m), 0.03);  // RMS, ideal positioning
@@ -190,6 +190,18 @@ TEST(Simulation, ReportsASmallOverrunAndGoesOn) {
   EXPECT_EQ(run.outcome, Outcome::kFinished);
   constexpr double kCheckAndStop_m = 0.12;  // checked every 0.1 m, stops 1 to 2 cm short
   EXPECT_NEAR(run.peaks.boundary_overrun_m.value, 1.0, kCheckAndStop_m);
+}
+
+// A hole that fits between the hull's corners is seen all the same.
+TEST(Simulation, SeesAHoleSmallerThanTheHull) {
+  Field field = test::open_field();
+  field.holes = {{{19.8, -0.2}, {19.8, 0.2}, {20.2, 0.2}, {20.2, -0.2}}};
+  const RunRecord run = test::run(test::straight(40.0), transplanter(), test::plane(0.0, 0.0),
+                                  test::textbook_soil(), {}, field);
+  EXPECT_EQ(run.outcome, Outcome::kFinished);
+  // From the side of the hull to the far side of the hole: half the width and 0.2 m, at most.
+  EXPECT_GT(run.peaks.boundary_overrun_m.value, 0.5);
+  EXPECT_LT((run.peaks.boundary_overrun_m.p_W - Eigen::Vector2d(20.0, 0.0)).norm(), 0.3);
 }
 
 TEST(Simulation, LeavesTheTerrain) {
