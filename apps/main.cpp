@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 
 #include "apps/commands.h"
 #include "apps/interrupt.h"
@@ -68,6 +69,9 @@ int main(int argc, char** argv) {
     return headland::kExitBadInput;
   } catch (const headland::PlanInfeasible& error) {
     complain(error.what());
+    return headland::kExitBadInput;
+  } catch (const std::filesystem::filesystem_error& error) {
+    complain(fmt::format("{}: {}", error.path1().string(), error.code().message()));
     return headland::kExitBadInput;
   } catch (const headland::Interrupted&) {
     complain("interrupted; what the finished stages wrote is kept");

@@ -18,6 +18,9 @@ nlohmann::ordered_json parse_json(const std::filesystem::path& file) {
     const auto line =
         1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
     throw InputError(file.string(), fmt::format("line {}", line), "", "malformed JSON");
+  } catch (const nlohmann::ordered_json::exception& error) {
+    // A number beyond every double; the library's text quotes it.
+    throw InputError(file.string(), "", "", fmt::format("malformed JSON: {}", error.what()));
   }
 }
 

@@ -183,6 +183,8 @@ TEST_F(ResultsTest, RefusesPathsThatAreNone) {
   EXPECT_THAT(refusal("\"manoeuvre\":0", "\"m\":0"), HasSubstr("missing"));
   EXPECT_THAT(refusal("\"LineString\"", "\"Polygon\""), HasSubstr("Polygon"));
   EXPECT_THAT(refusal("\n]}", "\n]"), AllOf(HasSubstr("line "), HasSubstr("malformed JSON")));
+  EXPECT_THAT(refusal("\"manoeuvre\":0", "\"manoeuvre\":1e999"),
+              AllOf(HasSubstr("malformed JSON"), HasSubstr("1e999")));
   EXPECT_THAT(refusal("local metres", "furlongs"), HasSubstr("furlongs"));
   EXPECT_THAT([&] { read_path(write("a", path_geojson(some_path(), kOnEarth)), kLocal); },
               ThrowsMessage<InputError>(HasSubstr("headland.coordinates")));
