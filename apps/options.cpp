@@ -6,6 +6,7 @@
 #include "apps/interrupt.h"
 #include "apps/progress.h"
 #include "evaluate/atomic_file.h"
+#include "evaluate/coverage.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -43,6 +44,8 @@ Job make_job(const std::filesystem::path& file, const std::filesystem::path& fol
     job.scenario.simulation.record_hz = *options.record_hz;
   }
   job.stage = load_stage(job.scenario);
+  check_coverage_size(job.stage.field, job.scenario.working_width_m, job.scenario.coverage_cell_m,
+                      file.string());
   return job;
 }
 

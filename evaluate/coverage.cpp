@@ -27,31 +27,50 @@ bool finite(const FootprintSample& footprint) {
   return footprint.left_W.allFinite() && footprint.right_W.allFinite();
 }
 
+Box box_of(const Ring& ring) {
+  Box box;
+  for (const Eigen::Vector2d& p_W : ring) box.include(p_W);
+  return box;
+}
+
+Box widened(Box box, double margin_m) {
+  box.low -= Eigen::Vector2d::Constant(margin_m);
+  box.high += Eigen::Vector2d::Constant(margin_m);
+  return box;
+}
+
+double widest_margin_m(double working_width_m) {
+  return std::max(kMaxCoverageMargin_m, working_width_m);
+}
+
+// Columns and rows of a raster over `box`; refuses what would take too much memory to measure.
+Eigen::Vector2d cells_of(const Box& box, double cell_m, const std::string& source) {
+  // The raster's two bytes and the travel at the last touch.
+  constexpr double kGbPerCell = 1e-9 * (2 + sizeof(float));
+  const Eigen::Vector2d cells = ((box.high - box.low) / cell_m).array().ceil();
+  const double needed_gb = cells.prod() * kGbPerCell;
+  if (needed_gb <= kMaxCoverageMemory_gb) return cells;
+  const double enough_m = 1.05 * cell_m * std::sqrt(needed_gb / kMaxCoverageMemory_gb);
+  throw InputError(source, "coverage.cell_m", fmt::format("{:g}", cell_m),
+                   fmt::format("{:.0f} x {:.0f} cells need {:.1f} GB, more than {:g} GB; at least "
+                               "{:.2g} m for this field",
+                               cells.x(), cells.y(), needed_gb, kMaxCoverageMemory_gb, enough_m));
+}
+
 CoverageRaster empty_raster(const Field& field, const std::vector<FootprintSample>& footprints,
                             double working_width_m, double cell_m) {
-  Box ground;
-  for (const Eigen::Vector2d& p_W : field.boundary) ground.include(p_W);
-  Box box = ground;
+  const Box ground = box_of(field.boundary);
+  const Box most = widened(ground, widest_margin_m(working_width_m));
+  Box box = widened(ground, working_width_m);
   for (const FootprintSample& footprint : footprints) {
     if (!finite(footprint)) continue;
     box.include(footprint.left_W);
     box.include(footprint.right_W);
   }
-  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(working_width_m);
-  const Eigen::Vector2d most = Eigen::Vector2d::Constant(kMaxCoverageMargin_m).cwiseMax(margin);
-  box.include(ground.low - margin);
-  box.include(ground.high + margin);
-  box.low = box.low.cwiseMax(ground.low - most);
-  box.high = box.high.cwiseMin(ground.high + most);
+  box.low = box.low.cwiseMax(most.low);
+  box.high = box.high.cwiseMin(most.high);
 
-  const Eigen::Vector2d cells = ((box.high - box.low) / cell_m).array().ceil();
-  if (cells.prod() > kMaxCoverageCells) {
-    const double enough_m = cell_m * std::sqrt(cells.prod() / kMaxCoverageCells);
-    throw InputError("", "coverage.cell_m", fmt::format("{:g}", cell_m),
-                     fmt::format("{:.0f} x {:.0f} cells are too many; at least {:.2g} m for this "
-                                 "field",
-                                 cells.x(), cells.y(), 1.05 * enough_m));
-  }
+  const Eigen::Vector2d cells = cells_of(box, cell_m, "");
   CoverageRaster raster;
   raster.columns = static_cast<int>(cells.x());
   raster.rows = static_cast<int>(cells.y());
@@ -107,8 +126,9 @@ void mark_field(CoverageRaster& raster, Scanline& scan, const Field& field) {
 
 void mark_strips(CoverageRaster& raster, Scanline& scan,
                  const std::vector<FootprintSample>& footprints) {
-  constexpr double kNever = -std::numeric_limits<double>::infinity();
-  std::vector<double> last_touch_m(raster.times.size(), kNever);
+  constexpr float kNever = -std::numeric_limits<float>::infinity();
+  // Half the memory of doubles; at 100 km of travel a float is still within 4 mm.
+  std::vector<float> last_touch_m(raster.times.size(), kNever);
   for (std::size_t k = 1; k < footprints.size(); ++k) {
     const FootprintSample& before = footprints[k - 1];
     const FootprintSample& now = footprints[k];
@@ -123,7 +143,7 @@ void mark_strips(CoverageRaster& raster, Scanline& scan,
         if (now.travel_m - last_touch_m[cell] > kCoverageGap_m && raster.times[cell] < 255) {
           ++raster.times[cell];
         }
-        last_touch_m[cell] = now.travel_m;
+        last_touch_m[cell] = static_cast<float>(now.travel_m);
       }
     });
   }
@@ -139,6 +159,11 @@ CoverageRaster measure_coverage(const Field& field, const std::vector<FootprintS
   mark_field(raster, scan, field);
   mark_strips(raster, scan, footprints);
   return raster;
+}
+
+void check_coverage_size(const Field& field, double working_width_m, double cell_m,
+                         const std::string& source) {
+  cells_of(widened(box_of(field.boundary), widest_margin_m(working_width_m)), cell_m, source);
 }
 
 CoverageFigures coverage_figures(const CoverageRaster& raster) {

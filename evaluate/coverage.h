@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "sim/run_record.h"
@@ -27,7 +28,7 @@ struct CoverageRaster {
 
 inline constexpr double kCoverageGap_m = 1.0;
 inline constexpr double kMaxCoverageMargin_m = 100.0;
-inline constexpr double kMaxCoverageCells = 1e9;
+inline constexpr double kMaxCoverageMemory_gb = 2.0;
 
 struct CoverageFigures {
   double workable_m2 = 0.0;  // field minus holes and obstacles
@@ -39,10 +40,16 @@ struct CoverageFigures {
 
 // Fills the quadrangle between each footprint and the one it is joined to. The rule is half-open:
 // quadrangles that share an edge share out its cells, so that a strip has neither gaps nor doubles.
-// Footprints that are not finite are left out. Throws InputError (coverage.cell_m) when the raster
-// would have more than kMaxCoverageCells cells.
+// Footprints that are not finite are left out. Throws InputError (coverage.cell_m) when measuring
+// would need more than kMaxCoverageMemory_gb.
 CoverageRaster measure_coverage(const Field& field, const std::vector<FootprintSample>& footprints,
                                 double working_width_m, double cell_m);
+
+// Throws InputError as measure_coverage does, naming `source`, when it could for this field: what
+// passes can be measured wherever the implement works.
+void check_coverage_size(const Field& field, double working_width_m, double cell_m,
+                         const std::string& source);
+
 CoverageFigures coverage_figures(const CoverageRaster& raster);
 
 }  // namespace headland

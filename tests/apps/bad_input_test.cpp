@@ -12,7 +12,7 @@ struct BadInput {
   std::string name;
   std::string arguments;
   std::string scenario;  // bad.yaml
-  std::string other;     // content of the file `other`
+  std::string other;     // other.csv and other.geojson
   std::string message;   // part of the line
 };
 
@@ -37,8 +37,8 @@ const BadInput kBadInputs[] = {
     {"ScenarioIsAFolder", "evaluate . -o DIR", "", "", "is a folder"},
     {"MalformedYaml", kEvaluate, "field: [1, 2\n", "", "malformed YAML"},
     {"UnknownKey", kEvaluate, kTinyScenario + "sead: 1\n", "", "did you mean 'seed'?"},
-    {"MalformedGeoJson", kEvaluate, "field: {file: other.csv}\nvehicle: transplanter\n",
-     "{\"type\": ", "other.csv"},
+    {"MalformedGeoJson", kEvaluate, "field: {file: other.geojson}\nvehicle: transplanter\n",
+     "{\"type\":\n\"Polygon\", ,}\n", "other.geojson"},
     {"MalformedCsv", kTrack, "", "x,y\n1,2\n3,four\n", "line 3"},
     {"SelfIntersectingBoundary", kEvaluate, field("[0, 0], [60, 40], [60, 0], [0, 40]"), "",
      "boundary"},
@@ -57,7 +57,12 @@ const BadInput kBadInputs[] = {
      "path.clearance_m"},
     {"NegativeParameter", kEvaluate, kTinyScenario + "implement: {working_width_m: -1}\n", "",
      "working_width_m"},
-    {"RasterTooLarge", kEvaluate, kTinyScenario + "terrain: {cell_m: 0.00001}\n", "", "terrain"},
+    {"TerrainRasterTooLarge", kEvaluate,
+     field("[0, 0], [900, 0], [900, 900], [0, 900]") + "terrain: {cell_m: 0.01}\n", "", " GB"},
+    {"CoverageRasterTooLarge", kEvaluate,
+     field("[0, 0], [900, 0], [900, 900], [0, 900]") + "coverage: {cell_m: 0.02}\n", "",
+     "bad.yaml: coverage.cell_m: '0.02': 55000 x 55000 cells need 18.2 GB"},
+    {"NameTooLong", "render " + std::string(300, 'x'), "", "", "File name too long"},
     {"ImplementWiderThanTheField", kEvaluate,
      field("[0, 0], [30, 0], [30, 24], [0, 24]") + "implement: {working_width_m: 26}\n", "",
      "wider than the field"},
@@ -87,7 +92,10 @@ class BadInputTest : public CommandTest, public ::testing::WithParamInterface<Ba
 TEST_P(BadInputTest, IsRefusedInOneLine) {
   const BadInput& bad = GetParam();
   write("bad.yaml", bad.scenario);
-  if (!bad.other.empty()) write("other.csv", bad.other);
+  if (!bad.other.empty()) {
+    write("other.csv", bad.other);
+    write("other.geojson", bad.other);
+  }
   const CommandResult result = headland(bad.arguments);
   EXPECT_EQ(result.exit_code, 2) << result.out << result.err;
   EXPECT_EQ(result.out, "");

@@ -320,8 +320,23 @@ TEST(Coverage, RefusesMoreCellsThanTheMachineHolds) {
     measure_coverage(rectangle(5000.0, 5000.0), {}, 2.0, 0.02);
     FAIL() << "took 6e10 cells";
   } catch (const InputError& error) {
+    // (5004 / 0.02)^2 cells of 6 bytes.
     EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("coverage.cell_m: '0.02'"),
-                                             testing::HasSubstr("at least 0.17 m")));
+                                             testing::HasSubstr("need 375.6 GB"),
+                                             testing::HasSubstr("at least 0.29 m")));
+  }
+}
+
+TEST(Coverage, TheSizeIsRefusedBeforeDrivingWithRoomForTheWidestMargin) {
+  const Field field = rectangle(1000.0, 500.0);
+  EXPECT_NO_THROW(check_coverage_size(field, 2.0, 0.06, "a.yaml"));
+  try {
+    check_coverage_size(field, 2.0, 0.02, "a.yaml");
+    FAIL() << "took 2e9 cells";
+  } catch (const InputError& error) {
+    // 1200 m x 700 m at 0.02 m, 6 bytes a cell.
+    EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("a.yaml: coverage.cell_m: '0.02'"),
+                                             testing::HasSubstr("need 12.6 GB")));
   }
 }
 
