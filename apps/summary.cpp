@@ -59,8 +59,9 @@ std::string figures(const DriveResult& result) {
          row("distance", fmt::format("{:.0f} m", m.distance_m)) +
          row("time", duration_text(m.time_s)) +
          row("energy", fmt::format("{:.1f} Wh", m.energy_wh),
-             fmt::format("{:.0f} Wh/ha", m.energy_wh_per_ha)) +
-         row("state of charge", fmt::format("-{:.1f} %", 100.0 * m.delta_soc),
+             std::isfinite(m.energy_wh_per_ha) ? fmt::format("{:.0f} Wh/ha", m.energy_wh_per_ha)
+                                               : "") +
+         row("state of charge", charge_change_text(m.delta_soc),
              fmt::format("{:.1f} % to {:.1f} %, lowest {:.1f} V under load",
                          100.0 * result.run.soc_start, 100.0 * result.run.soc_end,
                          peaks.min_voltage_v.value)) +
@@ -142,6 +143,11 @@ double reverse_length_m(const Path& path) {
 }
 
 }  // namespace
+
+std::string charge_change_text(double delta_soc) {
+  const double change_percent = std::round(-1000.0 * delta_soc) / 10.0;
+  return fmt::format("{:+.1f} %", change_percent + 0.0);  // + 0.0 turns -0 into 0
+}
 
 std::string run_summary(const Job& job, const DriveResult& result) {
   return headline(job) + "\n" + figures(result) + energy_table(result.run) +

@@ -12,6 +12,10 @@ namespace headland {
 // went, what each kind of movement cost, and the verdict with its reasons.
 std::string run_summary(const Job& job, const DriveResult& result);
 
+// What `delta_soc` used (negative: won back, downhill) did to the state of charge: "-2.3 %",
+// "+0.1 %", and "+0.0 %" for either sign of nothing.
+std::string charge_change_text(double delta_soc);
+
 std::string plan_summary(const Job& job, const PlanResult& result);
 nlohmann::ordered_json plan_summary_json(const Job& job, const PlanResult& result);
 
