@@ -82,6 +82,13 @@ double rounded(double value, int decimals) {
   return std::round(value * scale) / scale + 0.0;  // + 0.0 turns -0 into 0
 }
 
+Json frame_json(const GeoFrame& frame) {
+  if (!frame.georeferenced) return nullptr;
+  return {{"longitude_deg", frame.longitude_deg},
+          {"latitude_deg", frame.latitude_deg},
+          {"proj", proj_of(frame)}};
+}
+
 std::string geojson_text(const GeoFrame& frame, const GeoCollection& collection) {
   constexpr int kDegreeDecimals = 10;
   constexpr int kMetreDecimals = 6;
@@ -91,6 +98,7 @@ std::string geojson_text(const GeoFrame& frame, const GeoCollection& collection)
 
   Json about = collection.about;
   about["coordinates"] = frame.georeferenced ? kWgs84 : kLocal;
+  about["frame"] = frame_json(frame);
   std::string text = fmt::format(
       "{{\"type\":\"FeatureCollection\",\n\"headland\":{},\n\"features\":[", json_text(about));
   std::size_t first = 0;

@@ -23,8 +23,12 @@ struct GeoCollection {
   std::vector<GeoFeature> features;
 };
 
-// One feature a line. Coordinates are rounded to 1e-10 deg (11 um) or 1e-6 m, so that writing what
-// was read gives the same bytes.
+// Where the local frame is on the earth: longitude_deg, latitude_deg and proj, the string GDAL and
+// PROJ take; null when it is nowhere.
+nlohmann::ordered_json frame_json(const GeoFrame& frame);
+
+// One feature a line. The member "headland" also tells the coordinates and the frame. Coordinates
+// are rounded to 1e-10 deg (11 um) or 1e-6 m, so that writing what was read gives the same bytes.
 std::string geojson_text(const GeoFrame& frame, const GeoCollection& collection);
 
 // Reads such a file back. Throws InputError naming the feature: missing file, malformed JSON (with

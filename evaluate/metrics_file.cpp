@@ -239,6 +239,7 @@ Json metrics_json(const RunReport& report, const std::string& version) {
   Json json;
   json["headland"] = {{"version", version}};
   json["scenario"] = scenario_json(report);
+  json["frame"] = frame_json(report.field.frame);
   json["outcome"] = {{"name", outcome_name(report.run.outcome)},
                      {"detail", report.run.outcome_detail}};
   json["verdict"] = verdict_json(report);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <span>
 
 #include "evaluate/atomic_file.h"
@@ -161,6 +162,12 @@ void read_rows(const std::filesystem::path& file, const std::vector<std::string>
   if (width == 0) throw InputError(file.string(), "line 1", "", "the header line is missing");
 }
 
+// A segment's index; -1, which no path has, for what is no index.
+int segment_index(double value) {
+  const bool whole = value >= 0.0 && value <= std::numeric_limits<int>::max();
+  return whole ? static_cast<int>(value) : -1;
+}
+
 template <typename Row>
 Row row_of(std::span<const Column<Row>> columns, std::span<const double> values) {
   Row row;
@@ -208,7 +215,7 @@ std::vector<RunSample> read_run_csv(const std::filesystem::path& file) {
   std::vector<RunSample> samples;
   read_rows(file, run_columns(), [&](std::span<const double> values) {
     RunSample& sample = samples.emplace_back(row_of<RunSample>(kRunColumns, values));
-    sample.segment = static_cast<int>(values[std::size(kRunColumns)]);
+    sample.segment = segment_index(values[std::size(kRunColumns)]);
     sample.implement_down = values[std::size(kRunColumns) + 1] != 0.0;
   });
   return samples;
@@ -270,7 +277,7 @@ std::vector<SegmentRecord> read_segments_csv(const std::filesystem::path& file) 
     SegmentRecord& record = segments.emplace_back(row_of<SegmentRecord>(kSegmentColumns, values));
     std::copy_n(values.begin() + std::size(kSegmentColumns), kEnergyCauses,
                 record.energy.cause_j.begin());
-    record.segment = static_cast<int>(values[values.size() - 2]);
+    record.segment = segment_index(values[values.size() - 2]);
     record.cross_track_sum_m3 = values.back() * values.back() * record.distance_m;
   });
   return segments;

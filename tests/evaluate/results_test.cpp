@@ -145,6 +145,21 @@ TEST_F(ResultsTest, GeoreferencedCoordinatesAreLongitudeAndLatitude) {
   EXPECT_NEAR(json["features"][1]["properties"]["length_m"].get<double>(), 1.0, 1e-3);
 }
 
+TEST_F(ResultsTest, TheFrameOfTheLocalMetresIsRecorded) {
+  Field field;
+  field.frame = kOnEarth;
+  const auto metrics =
+      metrics_json({Scenario{}, field, Path{}, RunRecord{}, Metrics{}, Verdict{}}, "1");
+  const auto path = parse_json(write("a", path_geojson(some_path(), kOnEarth)));
+  for (const auto& frame : {metrics["frame"], path["headland"]["frame"]}) {
+    EXPECT_EQ(frame["longitude_deg"].get<double>(), kOnEarth.longitude_deg);
+    EXPECT_EQ(frame["latitude_deg"].get<double>(), kOnEarth.latitude_deg);
+    EXPECT_EQ(frame["proj"].get<std::string>(), proj_of(kOnEarth));
+  }
+  const auto local = parse_json(write("b", path_geojson(some_path(), kLocal)));
+  EXPECT_TRUE(local["headland"].at("frame").is_null());
+}
+
 TEST_F(ResultsTest, PlanComesBack) {
   Plan plan;
   plan.planner = "boustrophedon";
@@ -260,6 +275,18 @@ TEST_F(RunFilesTest, RefusesARunOfAnotherPath) {
   shorter.segments.pop_back();
   EXPECT_THAT([&] { read_run(folder_, shorter); },
               ThrowsMessage<InputError>(HasSubstr("another path")));
+}
+
+TEST_F(RunFilesTest, RefusesSegmentsThatAreNoIndex) {
+  const std::string table = read_text(folder_ / kSegmentsFile);
+  const std::size_t row = table.find('\n') + 1;
+  for (const char* index : {"nan", "1e300", "-1e300"}) {
+    std::string bad = table;
+    write(kSegmentsFile, bad.replace(row, bad.find(',', row) - row, index));
+    EXPECT_THAT([&] { read_run(folder_, path_); },
+                ThrowsMessage<InputError>(HasSubstr("another path")))
+        << index;
+  }
 }
 
 TEST_F(RunFilesTest, RefusesMetricsWithoutAKey) {
