@@ -12,8 +12,8 @@ struct ProgressLine {
   using Clock = std::chrono::steady_clock;
 
   bool shown = false;
-  Clock::time_point start;
-  Clock::time_point last;
+  Clock::time_point start{};
+  Clock::time_point last{};
 };
 
 // Starts the clock; shows nothing when `quiet` or standard error is not a terminal.

@@ -51,8 +51,8 @@ Mesh box_mesh(const Point& low, const Point& high, Rgba colour) {
 Mesh revolved_mesh(std::span<const Eigen::Vector2d> radius_z, int sides, Rgba colour) {
   Mesh mesh;
   for (std::size_t i = 1; i < radius_z.size(); ++i) {
-    const Eigen::Vector2d low = radius_z[i - 1];
-    const Eigen::Vector2d high = radius_z[i];
+    const Eigen::Vector2d& low = radius_z[i - 1];
+    const Eigen::Vector2d& high = radius_z[i];
     // Smooth around the axis, sharp between the profile's pieces.
     const Eigen::Vector2d outward =
         Eigen::Vector2d(high.y() - low.y(), low.x() - high.x()).normalized();

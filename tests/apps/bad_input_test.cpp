@@ -66,7 +66,7 @@ const BadInput kBadInputs[] = {
     {"ImplementWiderThanTheField", kEvaluate,
      field("[0, 0], [30, 0], [30, 24], [0, 24]") + "implement: {working_width_m: 26}\n", "",
      "wider than the field"},
-    {"NothingFits", kEvaluate, field("[0, 0], [7, 0], [7, 7], [0, 7]"), "", "headland"},
+    {"NothingFits", kEvaluate, field("[0, 0], [7, 0], [7, 7], [0, 7]"), "", "turn"},
     {"UnknownPlanner", kEvaluate, kTinyScenario + "planner: {name: boustrofedon}\n", "",
      "boustrophedon"},
     {"UnknownVehicle", kEvaluate, kTinyField + "vehicle: transplantor\n", "",
