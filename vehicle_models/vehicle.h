@@ -82,7 +82,7 @@ struct Implement {
   double working_width_m = 0.0;
   double draft_n_per_m = 0.0;   // per metre of width, at any speed
   double draft_height_m = 0.3;  // height of the draft force's line of action
-  double shaft_power_w = 0.0;     // while down
+  double shaft_power_w = 0.0;   // while down
   double lift_time_s = 2.0;
   double lift_energy_j = 0.0;  // per raise
 };
