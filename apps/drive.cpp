@@ -10,6 +10,7 @@
 #include "evaluate/json_text.h"
 #include "evaluate/results.h"
 #include "terrains/input_error.h"
+#include "vehicle_models/vehicle_check.h"
 
 namespace headland {
 namespace {
@@ -68,6 +69,7 @@ int drive(const DriveOptions& options) {
   }
   const fs::path folder = options.common.folder.empty() ? given : fs::path(options.common.folder);
   const Job job = make_job(planned ? given / kScenarioFile : given, folder, options.common);
+  check_drivable(job.stage.vehicle, job.scenario.file.string());
   const std::optional<TrackReport> track = prepare_path(job, given, options);
   stop_if_interrupted();
   DriveResult result = drive_with_progress(job, options.common);

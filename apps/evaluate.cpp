@@ -7,6 +7,7 @@
 #include "apps/interrupt.h"
 #include "apps/summary.h"
 #include "evaluate/json_text.h"
+#include "vehicle_models/vehicle_check.h"
 
 namespace headland {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 int evaluate(const CommonOptions& options) {
   const PictureSize size = picture_size(options);
   const Job job = make_job(options.scenario, options.folder, options);
+  check_drivable(job.stage.vehicle, job.scenario.file.string());
   const PlanResult plan = plan_stage(job);
   stop_if_interrupted();
   const DriveResult result = drive_with_progress(job, options);

@@ -5,7 +5,16 @@
 namespace headland {
 
 double min_turning_radius_m(const Vehicle& vehicle) {
-  return wheelbase_m(vehicle) / std::tan(vehicle.steering.max_angle_rad);
+  const Steering& steering = vehicle.steering;
+  switch (steering.kind) {
+    case SteeringKind::kFront:
+      return wheelbase_m(vehicle) / std::tan(steering.max_angle_rad);
+    case SteeringKind::kFourWheel:
+      return wheelbase_m(vehicle) / (2.0 * std::tan(steering.max_angle_rad));
+    case SteeringKind::kSkid:
+      return steering.turning_radius_m;
+  }
+  return 0.0;
 }
 
 double planning_turning_radius_m(const Vehicle& vehicle) {

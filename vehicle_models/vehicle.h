@@ -1,14 +1,16 @@
 // A vehicle as data: body, wheels, steering, drivetrain, motor, battery, implement, driver.
 //
 // Body frame B: origin on the ground below the rear-axle centre on flat ground, x forward, y left,
-// z up. Every number is read from vehicle_models/NAME/vehicle.yaml under the same key, where it
-// stands with its source or the word 'assumed'; the key tells the unit. Loader: vehicle_loader.h.
+// z up. Every number comes from the vehicle's folder (vehicle.urdf and drive.yaml), where it stands
+// with its source or the word 'assumed'; the key tells the unit. Loader: vehicle_loader.h.
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <filesystem>
 #include <string>
+
+#include "vehicle_models/implement.h"
+#include "vehicle_models/powertrain.h"
 
 namespace headland {
 
@@ -31,60 +33,25 @@ struct Axle {
   double wheel_inertia_kg_m2 = 0.0;  // one wheel about its axis, with its share of the drivetrain
   double vertical_stiffness_n_per_m = 0.0;  // one tyre
   double vertical_damping_n_s_per_m = 0.0;
+  double section_height_m = 0.0;  // of the tyre, rim to tread
   bool driven = false;
   double oscillation_max_rad = 0.0;  // free roll of a pivoted axle to either side; 0: rigid
 };
 
+enum class SteeringKind {
+  kFront,      // Ackermann, front wheels
+  kFourWheel,  // front and rear wheels turn by equal angles to opposite sides
+  kSkid,       // no steered wheels: the sides turn at different speeds, also on the spot
+};
+
 struct Steering {
-  double max_angle_rad = 0.0;  // of the virtual front wheel on the centre line
+  SteeringKind kind = SteeringKind::kFront;
+  double max_angle_rad = 0.0;  // of the virtual front wheel on the centre line; not for skid
   double max_rate_rad_per_s = 0.0;
-};
-
-// Motor by the loss model of Larminie and Lowry: P_in = T w + kc T^2 + ki w + kw w^3 + C.
-struct Motor {
-  double max_torque_nm = 0.0;
-  double max_power_w = 0.0;
-  double max_speed_rad_per_s = 0.0;
-  double copper_loss_kc = 0.0;
-  double iron_loss_ki = 0.0;
-  double windage_loss_kw = 0.0;
-  double constant_loss_w = 0.0;
-  double regeneration_fraction = 0.0;  // of the braking power that the motor takes, 0..1
-  double regeneration_min_speed_mps = 0.5;
-};
-
-struct Drivetrain {
-  double gear_ratio = 1.0;           // motor speed / wheel speed
-  double efficiency = 1.0;           // motor shaft to wheel hubs
-  double brake_torque_max_nm = 0.0;  // all wheels together
-};
-
-enum class Chemistry { kLeadAcid, kLfp };
-
-struct Battery {
-  Chemistry chemistry = Chemistry::kLfp;
-  int cells_in_series = 16;
-  double capacity_ah = 100.0;
-  double resistance_ohm = 0.01;              // R0 of the pack
-  double polarisation_resistance_ohm = 0.0;  // R1 of the pack
-  double polarisation_time_constant_s = 30.0;
-  double max_charge_c_rate = 0.5;
-  double peukert = 1.0;
-  double empty_soc = 0.05;  // the run ends with kBatteryEmpty below this
-  double auxiliary_power_w = 0.0;
-};
-
-// Mounted implement, a bar across the vehicle at x_B_m (negative: behind the rear axle).
-struct Implement {
-  std::string name;
-  double mass_kg = 0.0;
-  double x_B_m = 0.0;  // of the working line
-  double working_width_m = 0.0;
-  double draft_n_per_m = 0.0;   // per metre of width, at any speed
-  double draft_height_m = 0.3;  // height of the draft force's line of action
-  double shaft_power_w = 0.0;   // while down
-  double lift_time_s = 2.0;
-  double lift_energy_j = 0.0;  // per raise
+  double max_yaw_rate_rad_per_s = 0.0;  // skid: on the spot
+  double turning_radius_m = 0.0;        // skid: tightest arc that plans drive, of the hull's middle
+  double actuator_power_w = 0.0;        // mechanical, while the wheels turn at max_rate
+  double actuator_efficiency = 1.0;     // electrical to mechanical
 };
 
 struct Driver {
@@ -118,7 +85,10 @@ inline double wheelbase_m(const Vehicle& vehicle) {
   return vehicle.front.x_B_m - vehicle.rear.x_B_m;
 }
 
-// Radius [m] of the rear-axle centre's tightest circle (single-track model).
+// Radius [m] of the tightest circle of the point that travels where the vehicle heads: the
+// rear-axle centre with front steering, the middle between the axles with four-wheel steering
+// (single-track model: L / tan and L / (2 tan) of the largest angle) and with skid steering (as
+// given).
 double min_turning_radius_m(const Vehicle& vehicle);
 
 // Radius [m] that plans are made with: the tightest circle with the margin that keeps steering

@@ -138,4 +138,19 @@ void check_vehicle(const Vehicle& vehicle, const std::string& source) {
   check_power(vehicle, source);
 }
 
+void check_drivable(const Vehicle& vehicle, const std::string& source) {
+  const auto stop = [&](std::string_view key, std::string_view what) {
+    throw InputError(source, "vehicle", vehicle.name,
+                     fmt::format("{} ({}) is not driven by the simulation yet; 'headland plan' and "
+                                 "'headland vehicle check' take it",
+                                 what, key));
+  };
+  if (vehicle.steering.kind == SteeringKind::kSkid) stop("steering.kind", "skid steering");
+  if (vehicle.steering.kind == SteeringKind::kFourWheel) {
+    stop("steering.kind", "four-wheel steering");
+  }
+  if (vehicle.drivetrain.motor_per_wheel) stop("drivetrain.driven", "a motor at each wheel");
+  if (vehicle.implement.trailing) stop("implement.trailing", "a trailed implement");
+}
+
 }  // namespace headland

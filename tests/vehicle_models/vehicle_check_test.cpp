@@ -104,5 +104,30 @@ TEST(VehicleCheck, RefusesABatteryThatCannotFeedTheMotor) {
                     HasSubstr("draw up to 4.5 kW")));
 }
 
+// What the simulation says about driving the plain test vehicle after one change.
+std::string not_driven(const std::function<void(Vehicle&)>& change) {
+  Vehicle vehicle;
+  vehicle.name = "changed";
+  change(vehicle);
+  try {
+    check_drivable(vehicle, "test");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(VehicleCheck, RefusesToDriveWhatTheSimulationDoesNotModel) {
+  EXPECT_EQ(not_driven([](Vehicle&) {}), "");
+  EXPECT_THAT(not_driven([](Vehicle& v) { v.steering.kind = SteeringKind::kSkid; }),
+              AllOf(HasSubstr("vehicle: 'changed'"), HasSubstr("skid steering")));
+  EXPECT_THAT(not_driven([](Vehicle& v) { v.steering.kind = SteeringKind::kFourWheel; }),
+              HasSubstr("four-wheel steering"));
+  EXPECT_THAT(not_driven([](Vehicle& v) { v.drivetrain.motor_per_wheel = true; }),
+              HasSubstr("a motor at each wheel"));
+  EXPECT_THAT(not_driven([](Vehicle& v) { v.implement.trailing.emplace(); }),
+              HasSubstr("a trailed implement"));
+}
+
 }  // namespace
 }  // namespace headland
