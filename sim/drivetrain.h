@@ -1,7 +1,7 @@
 // Motor, reduction gear and brakes.
 #pragma once
 
-#include "sim/wheel.h"
+#include "sim/tyre.h"
 #include "vehicle_models/vehicle.h"
 
 namespace headland {

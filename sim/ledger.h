@@ -4,7 +4,7 @@
 #include "sim/battery.h"
 #include "sim/chassis.h"
 #include "sim/run_record.h"
-#include "sim/wheel.h"
+#include "sim/tyre.h"
 
 namespace headland {
 

@@ -6,7 +6,7 @@
 #include "sim/driver.h"
 #include "sim/drivetrain.h"
 #include "sim/ledger.h"
-#include "sim/wheel.h"
+#include "sim/tyre.h"
 #include "terrains/heightfield.h"
 #include "terrains/soil.h"
 #include "vehicle_models/vehicle.h"

@@ -1,7 +1,7 @@
+#include "sim/tyre.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "sim/wheel.h"
 
 namespace headland {
 namespace {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "planner/path.h"
+#include "sim/machine.h"
 #include "sim/simulation.h"
 #include "terrains/field.h"
 #include "terrains/heightfield.h"
@@ -28,6 +29,21 @@ inline Heightfield plane(double slope_x, double slope_y, double reach_m = 200.0)
   return terrain;
 }
 
+// Distance from the path, root mean square over the rows and over the rest.
+struct TrackingError {
+  double rows_m = 0.0;
+  double turns_m = 0.0;
+};
+inline TrackingError tracking_error(const Path& path, const RunRecord& run) {
+  double rows_m3 = 0.0, rows_m = 0.0, turns_m3 = 0.0, turns_m = 0.0;
+  for (const SegmentRecord& segment : run.segments) {
+    const bool row = path.segments[static_cast<std::size_t>(segment.segment)].implement_down;
+    (row ? rows_m3 : turns_m3) += segment.cross_track_sum_m3;
+    (row ? rows_m : turns_m) += segment.distance_m;
+  }
+  return {std::sqrt(rows_m3 / rows_m), std::sqrt(turns_m3 / turns_m)};
+}
+
 // Smooth hills: amplitude and wavelength along both axes.
 inline Heightfield hills(double amplitude_m, double wavelength_m, double reach_m = 100.0,
                          double cell_m = 0.5) {
@@ -40,6 +56,19 @@ inline Heightfield hills(double amplitude_m, double wavelength_m, double reach_m
     for (int i = 0; i < terrain.columns; ++i) {
       const Eigen::Vector2d p = terrain.origin_W + cell_m * Eigen::Vector2d(i, j);
       terrain.height_m.push_back(amplitude_m * std::sin(k * p.x()) * std::cos(0.7 * k * p.y()));
+    }
+  }
+  return terrain;
+}
+
+// The same with a side slope (rise over run along y) under it.
+inline Heightfield hillside(double slope_y, double amplitude_m, double wavelength_m,
+                            double reach_m = 120.0) {
+  Heightfield terrain = hills(amplitude_m, wavelength_m, reach_m);
+  for (int j = 0; j < terrain.rows; ++j) {
+    const double rise_m = slope_y * (terrain.origin_W.y() + j * terrain.cell_m);
+    for (int i = 0; i < terrain.columns; ++i) {
+      terrain.height_m[static_cast<std::size_t>(j * terrain.columns + i)] += rise_m;
     }
   }
   return terrain;
@@ -122,10 +151,42 @@ inline Soil textbook_soil(double friction = 0.8, double rolling_resistance = 0.0
   return soil;
 }
 
+// Rows of the vehicle's working width with the tightest turns that it can plan.
+inline Path rows_for(const Vehicle& vehicle, int rows, double length_m) {
+  const double width_m = vehicle.implement.working_width_m;
+  // An omega turn needs a radius over half the width.
+  return rows_with_omega_turns(rows, length_m, width_m,
+                               std::max(planning_turning_radius_m(vehicle), width_m / 1.9));
+}
+
 inline RunRecord run(const Path& path, const Vehicle& vehicle, const Heightfield& terrain,
                      const Soil& soil, SimulationOptions options = {},
                      const Field& field = open_field()) {
   return simulate({field, terrain, soil, vehicle, path, options, {}});
+}
+
+// A vehicle braked on a slope (rise over run along its x axis).
+struct ParkedVehicle {
+  double drift_mm_per_min = 0.0;  // over a minute, after 20 s to settle
+  PerWheel<WheelState> wheels;
+};
+inline ParkedVehicle park(const Vehicle& vehicle, double slope, double rate_hz) {
+  const Heightfield terrain = plane(slope, 0.0);
+  const Soil soil = textbook_soil();
+  const Machine machine = make_machine(vehicle, terrain, soil);
+  BulletWorld world(open_field(), terrain, vehicle);
+  world.set_state(place_on_ground(machine, {0.0, 0.0}, 0.0));
+  MachineState state;
+  DriverCommand braked;
+  braked.hold = true;
+  const auto stand = [&](double seconds) {
+    for (long i = 0; i < std::lround(seconds * rate_hz); ++i) {
+      step_machine(machine, braked, 0.0, 0.0, 1.0 / rate_hz, world, state);
+    }
+    return world.state().p_WC;
+  };
+  const Eigen::Vector3d settled = stand(20.0);
+  return {1000.0 * (stand(60.0) - settled).norm(), state.wheels};
 }
 
 }  // namespace headland::test
