@@ -14,8 +14,8 @@ std::string at_place(const Eigen::Vector3d& p_WB, double time_s) {
 
 bool stuck(const Machine& machine, const StepReport& report, const DriverState& driver,
            double time_s, ProgressWatch& watch) {
-  if (driver.run != watch.run || driver.along_m > watch.along_m + kStuckProgress_m) {
-    watch = {driver.run, driver.along_m, time_s};
+  if (driver.place.run != watch.run || driver.place.along_m > watch.along_m + kStuckProgress_m) {
+    watch = {driver.place.run, driver.place.along_m, time_s};
   }
   for (std::size_t i = 0; i < kWheels; ++i) {
     if (machine.wheels[i].driven) watch.worst_slip = std::max(watch.worst_slip, report.slip[i]);

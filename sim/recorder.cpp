@@ -112,7 +112,7 @@ RunSample make_sample(const Recorder& recorder, const StepReport& report, const 
   sample.steer_rad = driver.steer_rad;
   sample.slip = worst_driven_slip(recorder.machine, report.slip);
   sample.load_transfer_ratio = load_transfer_ratio(report.contacts);
-  sample.cross_track_error_m = driver.cross_track_m;
+  sample.cross_track_error_m = recorder.cross_track_m;
   sample.motor_torque_nm = report.motor_nm;
   sample.motor_power_w = report.motor_w;
   sample.battery_power_w = report.battery_w;
@@ -128,8 +128,8 @@ RunSample make_sample(const Recorder& recorder, const StepReport& report, const 
   return sample;
 }
 
-void raise_peaks(Recorder& recorder, const StepReport& report, const DriverState& driver,
-                 const DriverCommand& command, const Place& place, double time_s) {
+void raise_peaks(Recorder& recorder, const StepReport& report, const DriverCommand& command,
+                 const Place& place, double time_s) {
   Peaks& peaks = recorder.record.peaks;
   const Eigen::Vector2d p_W = place.p_WB.head<2>();
   raise_peak(peaks.slip, recorder.slip.add(worst_driven_slip(recorder.machine, report.slip)),
@@ -137,7 +137,7 @@ void raise_peaks(Recorder& recorder, const StepReport& report, const DriverState
   raise_peak(peaks.load_transfer_ratio,
              recorder.load_transfer.add(load_transfer_ratio(report.contacts)), time_s, p_W);
   raise_peak(command.working ? peaks.cross_track_working_m : peaks.cross_track_turning_m,
-             driver.cross_track_m, time_s, p_W);
+             recorder.cross_track_m, time_s, p_W);
   raise_peak(peaks.battery_power_w, report.battery_w, time_s, p_W);
   raise_peak(peaks.pitch_rad, place.yaw_pitch_roll.y(), time_s, p_W);
   raise_peak(peaks.roll_rad, place.yaw_pitch_roll.z(), time_s, p_W);
@@ -185,10 +185,11 @@ Recorder make_recorder(const Machine& machine, const Field& field, double rate_h
 }
 
 void record_step(Recorder& recorder, const StepReport& report, const MachineState& state,
-                 const DriverState& driver, const DriverCommand& command) {
+                 const DriverState& driver, const DriverCommand& command, double cross_track_m) {
   RunRecord& record = recorder.record;
   const double time_s = static_cast<double>(recorder.step) * recorder.dt_s;
   const Place place = place_of(report.chassis, recorder.machine.mass);
+  recorder.cross_track_m = cross_track_m;
 
   if (recorder.step > 0) {
     charge_stores(record.segments.back().energy, recorder.stored_before, report.stored);
@@ -205,10 +206,10 @@ void record_step(Recorder& recorder, const StepReport& report, const MachineStat
   SegmentRecord& segment = record.segments.back();
   segment.duration_s += recorder.dt_s;
   segment.distance_m += step_m;
-  segment.cross_track_sum_m3 += driver.cross_track_m * driver.cross_track_m * step_m;
+  segment.cross_track_sum_m3 += cross_track_m * cross_track_m * step_m;
   add(segment.energy, report.energy);
 
-  raise_peaks(recorder, report, driver, command, place, time_s);
+  raise_peaks(recorder, report, command, place, time_s);
   if (recorder.travel_m >= recorder.next_hull_check_m) {
     check_hull(recorder, place, report.chassis, time_s);
     recorder.next_hull_check_m = recorder.travel_m + kHullCheckSpacing_m;

@@ -37,6 +37,7 @@ struct Recorder {
   double last_footprint_m = 0.0;
   bool strip_open = false;
   bool belly_down = false;
+  double cross_track_m = 0.0;  // of the step recorded last
   StoredEnergy stored_before{};
   SlidingMean slip{};
   SlidingMean load_transfer{};
@@ -45,9 +46,10 @@ struct Recorder {
 Recorder make_recorder(const Machine& machine, const Field& field, double rate_hz, double record_hz,
                        double footprint_spacing_m);
 
-// Adds one step. `driver` and `command` are those that the step was driven with.
+// Adds one step. `driver` and `command` are those that the step was driven with, `cross_track_m`
+// is the true distance from the path, whatever the driver believes.
 void record_step(Recorder& recorder, const StepReport& report, const MachineState& state,
-                 const DriverState& driver, const DriverCommand& command);
+                 const DriverState& driver, const DriverCommand& command, double cross_track_m);
 
 // Closes totals and ledger with the stores as they are at the end, after the step `report`; the
 // record's last sample is of that step.

@@ -13,8 +13,22 @@ constexpr double kSettle_s = 2.0;  // standing braked before the clock starts: t
 
 DriverView view_of(const ChassisState& chassis, const ChassisMass& mass) {
   const Eigen::Vector3d angles = yaw_pitch_roll(chassis.R_WB);
-  return {origin_of(chassis, mass).head<2>(), angles.x(), angles.y(),
-          chassis.v_W.dot(chassis.R_WB.col(0))};
+  const Eigen::Vector2d ahead(std::cos(angles.x()), std::sin(angles.x()));
+  const Eigen::Vector3d x_axis = chassis.R_WB.col(0);
+  const Eigen::Vector3d turning = chassis.omega_W.cross(x_axis);
+  const Eigen::Vector3d v_WB =
+      point_velocity(chassis.v_W, chassis.omega_W, -(chassis.R_WB * mass.com_B));
+  DriverView view;
+  view.p_W = origin_of(chassis, mass).head<2>();
+  view.yaw_rad = angles.x();
+  view.pitch_rad = angles.y();
+  view.roll_rad = angles.z();
+  view.yaw_rate_rad_per_s =
+      (x_axis.x() * turning.y() - x_axis.y() * turning.x()) / x_axis.head<2>().squaredNorm();
+  view.speed_mps = chassis.v_W.dot(x_axis);
+  view.course_mps = {ahead.x() * v_WB.x() + ahead.y() * v_WB.y(),
+                     ahead.x() * v_WB.y() - ahead.y() * v_WB.x()};
+  return view;
 }
 
 void settle(const Machine& machine, double dt_s, BulletWorld& world, MachineState& state) {
@@ -38,7 +52,6 @@ RunRecord simulate(const SimulationSetup& setup) {
   Recorder recorder = make_recorder(machine, setup.field, options.rate_hz, options.record_hz,
                                     options.footprint_spacing_m);
   recorder.record.soc_start = options.soc_start;
-  if (route.runs.empty()) return std::move(recorder.record);
 
   BulletWorld world(setup.field, setup.terrain, setup.vehicle);
   const RoutePoint& start = route.points.front();
@@ -51,16 +64,23 @@ RunRecord simulate(const SimulationSetup& setup) {
                                 ? options.max_time_s
                                 : kTimeFactor * route.expected_time_s + kTimeGrace_s;
   const auto steps_per_second = std::lround(options.rate_hz);
-  DriverState driver;
+  DriverState driver = at_start(route, options.steering_latency_s, options.rate_hz);
+  Receiver receiver = make_receiver(options.positioning, options.rate_hz, start.p_W);
+  RoutePlace place = driver.place;  // the true one
   DriverCommand command;
   StepReport report;
   ProgressWatch watch;
   while (!driver.finished) {
     const double time_s = static_cast<double>(recorder.step) * dt_s;
-    const DriverView view = view_of(world.state(), machine.mass);
+    DriverView view = view_of(world.state(), machine.mass);
+    const Eigen::Vector2d p_W = view.p_W;
+    follow(route, p_W, place);
+    view.p_W = receive(receiver, p_W);
+    view.age_s = options.positioning.latency_s;
     command = drive(route, setup.vehicle, view, machine.mass.mass_kg, dt_s, driver);
     report = step_machine(machine, command, driver.steer_rad, driver.lowered, dt_s, world, state);
-    record_step(recorder, report, state, driver, command);
+    record_step(recorder, report, state, driver, command, cross_track_m(route, place, p_W));
+    if (driver.place.run != place.run) place = driver.place;
     const auto incident = find_incident(setup, machine, report, world, state, driver,
                                         recorder.record, time_s, max_time_s, watch);
     if (incident) {
@@ -69,7 +89,7 @@ RunRecord simulate(const SimulationSetup& setup) {
       break;
     }
     if (setup.progress && recorder.step % steps_per_second == 0 &&
-        !setup.progress({time_s, driver.along_m / route.length_m})) {
+        !setup.progress({time_s, driver.place.along_m / route.length_m})) {
       recorder.record.outcome = Outcome::kInterrupted;
       break;
     }

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "planner/path.h"
+#include "sim/positioning.h"
 #include "sim/run_record.h"
 #include "terrains/field.h"
 #include "terrains/heightfield.h"
@@ -20,6 +21,8 @@ struct SimulationOptions {
   double max_time_s = 0.0;     // 0: four times the time the path should take
   double max_overrun_m = 5.0;  // the run ends as kLeftField beyond this
   double footprint_spacing_m = 0.1;
+  PositioningOptions positioning;
+  double steering_latency_s = 0.0;  // from the driver's decision to the steering's first move
 };
 
 struct SimulationProgress {
@@ -40,7 +43,8 @@ struct SimulationSetup {
 };
 
 // Builds a fresh Bullet world, settles the vehicle at the path's first point and drives the path.
-// Same setup, same record, bit by bit, whatever else runs in other threads.
+// Same setup, same record, bit by bit, whatever else runs in other threads. Throws InputError for a
+// path without any motion.
 RunRecord simulate(const SimulationSetup& setup);
 
 }  // namespace headland

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <thread>
 
-#include "sim/driver.h"
-#include "sim/machine.h"
+#include "terrains/input_error.h"
 #include "tests/sim/test_drives.h"
 
 namespace headland {
@@ -60,21 +59,6 @@ TEST(Simulation, ReversesAlongAnArcAndEndsWhereItShould) {
   const auto backwards = std::count_if(run.samples.begin(), run.samples.end(),
                                        [](const RunSample& s) { return s.speed_mps < -0.2; });
   EXPECT_GT(backwards, 30);
-}
-
-TEST(Simulation, RowsAndTurnsStayWithinTheTargets) {
-  const Vehicle vehicle = transplanter();
-  const Path path = test::rows_with_omega_turns(4, 40.0, 2.0, planning_turning_radius_m(vehicle));
-  const RunRecord run = test::run(path, vehicle, test::hills(1.0, 25.0), test::textbook_soil());
-  ASSERT_EQ(run.outcome, Outcome::kFinished) << run.outcome_detail;
-  double rows_m3 = 0.0, rows_m = 0.0, turns_m3 = 0.0, turns_m = 0.0;
-  for (const SegmentRecord& segment : run.segments) {
-    const bool row = path.segments[static_cast<std::size_t>(segment.segment)].implement_down;
-    (row ? rows_m3 : turns_m3) += segment.cross_track_sum_m3;
-    (row ? rows_m : turns_m) += segment.distance_m;
-  }
-  EXPECT_LT(std::sqrt(rows_m3 / rows_m), 0.03);  // RMS, ideal positioning
-  EXPECT_LT(std::sqrt(turns_m3 / turns_m), 0.15);
 }
 
 TEST(Simulation, FootprintCoversTheSwathAndNothingElse) {
@@ -308,28 +292,17 @@ TEST(Simulation, TurningTheWorldTurnsTheRun) {
   EXPECT_NEAR(rotated.samples.back().p_WB.head<2>().norm(), east.samples.back().p_WB.x(), 1e-3);
 }
 
-TEST(Route, SlowsForTheEndForCurvesAndChangesGearAtStandstill) {
-  const Vehicle vehicle = transplanter();
-  Path path;
-  test::extend(path, PathKind::kTransit, Gear::kForward, false, 10.0, 0.0);
-  test::extend(path, PathKind::kUTurn, Gear::kForward, false, 5.0, 0.4);
-  test::extend(path, PathKind::kUTurn, Gear::kReverse, false, 3.0, -0.4);
-  const Route route = make_route(path, vehicle);
-  ASSERT_EQ(route.runs.size(), 2u);
-  EXPECT_EQ(route.runs[1].gear, Gear::kReverse);
-  for (const RouteRun& run : route.runs) {
-    EXPECT_EQ(route.points[run.last].speed_limit_mps, 0.0);
-    for (std::size_t i = run.first; i < run.last; ++i) {
-      const RoutePoint& a = route.points[i];
-      const RoutePoint& b = route.points[i + 1];
-      EXPECT_LE(a.speed_limit_mps * a.speed_limit_mps,
-                b.speed_limit_mps * b.speed_limit_mps +
-                    2.0 * vehicle.driver.max_acceleration_mps2 * (b.along_m - a.along_m) + 1e-9);
-      EXPECT_LE(a.speed_limit_mps, vehicle.driver.transit_speed_mps);
+TEST(Simulation, RefusesAPathWithoutMotion) {
+  Path still = test::straight(10.0);
+  still.segments[0].points.resize(1);
+  for (const Path& path : {still, Path{}}) {
+    try {
+      test::run(path, transplanter(), test::plane(0.0, 0.0), test::textbook_soil());
+      FAIL() << "drove a path without motion";
+    } catch (const InputError& error) {
+      EXPECT_STREQ(error.what(), "path: nothing to drive: no two points of it are apart");
     }
   }
-  EXPECT_NEAR(route.length_m, 18.0, 0.01);
-  EXPECT_GT(route.expected_time_s, 18.0 / vehicle.driver.transit_speed_mps);
 }
 
 }  // namespace
