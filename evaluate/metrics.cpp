@@ -10,7 +10,6 @@
 namespace headland {
 namespace {
 
-constexpr double kJoulePerWattHour = 3600.0;
 constexpr double kSquareMetrePerHectare = 10000.0;
 
 void add(EnergyBalance& sum, const EnergyBalance& part) {

@@ -31,8 +31,10 @@ void draw_track(Sheet& sheet, const PictureScene& scene, const Page& page, const
     const Point2 a = pixel_of(view.camera, samples[from].p_WB.head<2>());
     const Point2 b = pixel_of(view.camera, samples[i].p_WB.head<2>());
     if ((b - a).norm() < step_px && i + 1 < samples.size()) continue;
-    stroke(sheet, std::array{a, b}, width_px,
-           colour_of(0.5 * (profile[from] + profile[i]), figures));
+    const double wh_per_m = 0.5 * (profile[from] + profile[i]);
+    if (std::isfinite(wh_per_m)) {
+      stroke(sheet, std::array{a, b}, width_px, colour_of(wh_per_m, figures));
+    }
     from = i;
   }
 }

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
+#include <cmath>
 
 namespace headland {
 namespace {
 
-constexpr double kJoulePerWh = 3600.0;
+constexpr double kSmallestSpan_wh_per_m = 1e-3;
 
 // Energy at a place on the track, by the samples around it.
 double energy_at(std::span<const RunSample> samples, std::span<const double> energy_wh,
@@ -33,8 +33,8 @@ std::vector<double> energy_per_metre_wh(std::span<const RunSample> samples, doub
   std::vector<double> energy_wh(samples.size(), 0.0);
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const double power_w = 0.5 * (samples[i].battery_power_w + samples[i - 1].battery_power_w);
-    energy_wh[i] =
-        energy_wh[i - 1] + power_w * (samples[i].time_s - samples[i - 1].time_s) / kJoulePerWh;
+    energy_wh[i] = energy_wh[i - 1] +
+                   power_w * (samples[i].time_s - samples[i - 1].time_s) / kJoulePerWattHour;
   }
   std::vector<double> profile;
   profile.reserve(samples.size());
@@ -50,8 +50,13 @@ std::vector<double> energy_per_metre_wh(std::span<const RunSample> samples, doub
 
 EnergyFigures energy_figures(std::span<const RunSample> samples, std::span<const double> profile) {
   assert(!profile.empty() && samples.size() == profile.size());
-  std::vector<std::size_t> order(profile.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    if (std::isfinite(profile[i])) order.push_back(i);
+  }
+  EnergyFigures figures;
+  figures.scale_high_wh_per_m = kSmallestSpan_wh_per_m;
+  if (order.empty()) return figures;
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return profile[a] < profile[b]; });
   const auto travel_of = [&](std::size_t i) {
@@ -59,7 +64,8 @@ EnergyFigures energy_figures(std::span<const RunSample> samples, std::span<const
     const std::size_t after = std::min(i + 1, samples.size() - 1);
     return 0.5 * (samples[after].travel_m - samples[before].travel_m);
   };
-  const double total_m = samples.back().travel_m - samples.front().travel_m;
+  double total_m = 0.0;
+  for (const std::size_t i : order) total_m += travel_of(i);
   const auto quantile = [&](double share) {
     double passed_m = 0.0;
     for (const std::size_t i : order) {
@@ -68,15 +74,13 @@ EnergyFigures energy_figures(std::span<const RunSample> samples, std::span<const
     }
     return profile[order.back()];
   };
-  EnergyFigures figures;
   figures.min_wh_per_m = profile[order.front()];
   figures.median_wh_per_m = quantile(0.5);
   figures.max_wh_per_m = profile[order.back()];
   figures.scale_low_wh_per_m = std::min(0.0, quantile(0.02));
   figures.scale_high_wh_per_m = quantile(0.98);
-  constexpr double kSmallestSpan = 1e-3;
   figures.scale_high_wh_per_m =
-      std::max(figures.scale_high_wh_per_m, figures.scale_low_wh_per_m + kSmallestSpan);
+      std::max(figures.scale_high_wh_per_m, figures.scale_low_wh_per_m + kSmallestSpan_wh_per_m);
   return figures;
 }
 

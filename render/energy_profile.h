@@ -22,7 +22,8 @@ struct EnergyFigures {
   double scale_high_wh_per_m = 0.0;  // 98th percentile, more than the low one
 };
 
-// Over the samples, each weighted by the travel it stands for. The profile must not be empty.
+// Over the samples, each weighted by the travel it stands for; values that are not finite (of a run
+// that diverged) count for nothing. The profile must not be empty.
 EnergyFigures energy_figures(std::span<const RunSample> samples, std::span<const double> profile);
 
 }  // namespace headland

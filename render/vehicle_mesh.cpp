@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "render/mesh_file.h"
+#include "sim/wheel.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -72,20 +73,16 @@ Mesh wheel_mesh(const Axle& axle) {
   return wheel;
 }
 
-// Of a front wheel `left_m` left of the centre line, so that all wheels roll about one centre.
-double ackermann_rad(double steer_rad, double wheelbase, double left_m) {
-  const double tangent = std::tan(steer_rad);
-  return std::atan2(wheelbase * tangent, wheelbase - left_m * tangent);
-}
-
 void append_wheels(Mesh& mesh, const Vehicle& vehicle, const RunSample& sample) {
   for (std::size_t i = 0; i < sample.wheel_angle_rad.size(); ++i) {
     const bool front = i >= 2;
     const Axle& axle = front ? vehicle.front : vehicle.rear;
     if (!(axle.radius_m > 0.0)) continue;
-    const double left_m = (i % 2 == 0 ? 0.5 : -0.5) * axle.track_m;
+    const bool left = i % 2 == 0;
+    const double left_m = (left ? 0.5 : -0.5) * axle.track_m;
     const double steer =
-        front ? ackermann_rad(sample.steer_rad, wheelbase_m(vehicle), left_m) : 0.0;
+        front ? ackermann_rad(sample.steer_rad, wheelbase_m(vehicle), 0.5 * axle.track_m, left)
+              : 0.0;
     const Eigen::Isometry3d X = moved({axle.x_B_m, left_m, axle.radius_m}) *
                                 Eigen::AngleAxisd(steer, Point::UnitZ()) *
                                 Eigen::AngleAxisd(sample.wheel_angle_rad[i], Point::UnitY());

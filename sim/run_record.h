@@ -46,6 +46,8 @@ enum class EnergyCause {
 };
 inline constexpr std::size_t kEnergyCauses = static_cast<std::size_t>(EnergyCause::kCount);
 
+inline constexpr double kJoulePerWattHour = 3600.0;
+
 struct EnergyBalance {
   double battery_j = 0.0;  // drawn from the cells' chemistry (OCV times current), net of charge
   std::array<double, kEnergyCauses> cause_j{};

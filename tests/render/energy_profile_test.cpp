@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace headland {
 namespace {
 
@@ -54,6 +57,19 @@ TEST(EnergyProfile, OfNothingDrivenIsEmpty) {
   EXPECT_TRUE(energy_per_metre_wh({}, 4.0).empty());
   EXPECT_TRUE(energy_per_metre_wh(std::vector<RunSample>(1), 4.0).empty());
   EXPECT_TRUE(energy_per_metre_wh(std::vector<RunSample>(5), 4.0).empty());
+}
+
+TEST(EnergyFigures, LeaveOutWhatIsNotFinite) {
+  const auto samples = driven(1.0, 40.0, [](double) { return 3600.0; });
+  std::vector<double> profile(samples.size(), 1.0);
+  profile[7] = std::numeric_limits<double>::quiet_NaN();
+  profile[9] = std::numeric_limits<double>::infinity();
+  const EnergyFigures figures = energy_figures(samples, profile);
+  EXPECT_EQ(figures.min_wh_per_m, 1.0);
+  EXPECT_EQ(figures.median_wh_per_m, 1.0);
+  EXPECT_EQ(figures.max_wh_per_m, 1.0);
+  std::fill(profile.begin(), profile.end(), std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(energy_figures(samples, profile).median_wh_per_m, 0.0);
 }
 
 TEST(EnergyFigures, WeighByTravelNotByTime) {
