@@ -28,11 +28,14 @@ std::vector<bench::Figure> measure(const char* file) {
   const RunRecord run = simulate(
       {stage.field, stage.terrain, stage.soil, stage.vehicle, path, scenario.simulation, {}});
   lap("drive", "< 120");
-  figures.push_back({"times real time", run.duration_s / figures.back().value, "x", ">= 500"});
+  const double drive_s = figures.back().value;
   const CoverageFigures coverage = coverage_figures(
       measure_coverage(stage.field, run.footprints, stage.vehicle.implement.working_width_m,
                        scenario.coverage_cell_m));
   lap("measure coverage", "");
+  const double both_s = drive_s + figures.back().value;
+  figures.push_back(
+      {"drive and coverage, times real time", run.duration_s / both_s, "x", ">= 1000"});
   const Metrics metrics = measure_run(path, run, coverage);
   figures.push_back({"distance", metrics.distance_m / 1000.0, "km", ""});
   figures.push_back({"simulated time", metrics.time_s / 3600.0, "h", ""});
