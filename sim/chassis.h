@@ -4,11 +4,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "vehicle_models/vehicle.h"
+#include "vehicle_models/vehicle_figures.h"
 
 namespace headland {
-
-inline constexpr double kGravity_mps2 = 9.80665;
 
 // Mass, centre of mass and principal inertia of body and implement together. The implement is a
 // bar of its working width at kImplementHeight_m above the ground. Products of inertia are

@@ -12,8 +12,6 @@
 namespace headland {
 namespace {
 
-constexpr double kGravity_mps2 = 9.80665;
-
 [[noreturn]] void refuse(const std::string& source, std::string_view key, double value,
                          std::string allowed) {
   throw InputError(source, std::string(key), fmt::format("{:g}", value), std::move(allowed));

@@ -6,7 +6,6 @@
 namespace headland {
 namespace {
 
-constexpr double kGravity_mps2 = 9.80665;
 constexpr double kLeadAcidNominal_v = 2.0;
 constexpr double kLfpNominal_v = 3.2;
 constexpr double kLfpEmpty_v = 2.9;

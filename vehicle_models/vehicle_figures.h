@@ -1,12 +1,14 @@
 // What follows from a vehicle's numbers before it is driven: loads, speeds, forces, limits.
 //
 // Level ground, at rest, implement raised unless said otherwise; its mass acts at
-// implement.x_B_m. Gravity is 9.80665 m/s2.
+// implement.x_B_m.
 #pragma once
 
 #include "vehicle_models/vehicle.h"
 
 namespace headland {
+
+inline constexpr double kGravity_mps2 = 9.80665;  // standard gravity
 
 // Weight on each axle [N]; negative when the axle would lift.
 struct AxleLoads {

@@ -13,7 +13,6 @@
 namespace headland {
 namespace {
 
-constexpr double kGravity_mps2 = 9.80665;
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 // Tilled soil, the hardest of the usual grounds to roll on.
