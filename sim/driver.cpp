@@ -97,10 +97,10 @@ DriverCommand drive(const Route& route, const Vehicle& vehicle, const DriverView
   follow(route, position_now(view), state.place);
   learn_bias(vehicle, view, state.steer_rad, dt_s, state.bias);
   const double preview_m = state.steering_latency_s * std::abs(view.speed_mps);
-  const double steer_target = state.steer_asked_rad.pass(
-      steer_along(route, state.place, vehicle, view, state.bias, preview_m));
+  const double wanted_rad = steer_along(route, state.place, vehicle, view, state.bias, preview_m);
+  const double arriving_rad = state.steer_asked_rad.pass(wanted_rad);
   const double steer_step = vehicle.steering.max_rate_rad_per_s * dt_s;
-  state.steer_rad += std::clamp(steer_target - state.steer_rad, -steer_step, steer_step);
+  state.steer_rad += std::clamp(arriving_rad - state.steer_rad, -steer_step, steer_step);
 
   DriverCommand command;
   command.segment = route.points[state.place.index].segment;
@@ -113,7 +113,7 @@ DriverCommand drive(const Route& route, const Vehicle& vehicle, const DriverView
     return command;
   }
   if (state.starting) {
-    state.starting = std::abs(steer_target - state.steer_rad) > kSteerReady_rad;
+    state.starting = std::abs(wanted_rad - state.steer_rad) > kSteerReady_rad;
     command.hold = state.starting;
     if (command.hold) return command;
   }
