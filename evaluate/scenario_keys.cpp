@@ -25,6 +25,14 @@ constexpr NumberKey kNumbers[] = {
      [](Scenario& s) -> double& { return s.simulation.max_overrun_m; }},
     {"simulation.footprint_spacing_m", 0.01, 1.0,
      [](Scenario& s) -> double& { return s.simulation.footprint_spacing_m; }},
+    {"simulation.steering_latency_s", 0.0, 2.0,
+     [](Scenario& s) -> double& { return s.simulation.steering_latency_s; }},
+    {"positioning.noise_m", 0.0, 1.0,
+     [](Scenario& s) -> double& { return s.simulation.positioning.noise_m; }},
+    {"positioning.noise_time_s", 0.0, 3600.0,
+     [](Scenario& s) -> double& { return s.simulation.positioning.noise_time_s; }},
+    {"positioning.latency_s", 0.0, 2.0,
+     [](Scenario& s) -> double& { return s.simulation.positioning.latency_s; }},
     {"coverage.cell_m", 0.02, 5.0, [](Scenario& s) -> double& { return s.coverage_cell_m; }},
 };
 
@@ -77,6 +85,7 @@ constexpr std::string_view kOtherKeys[] = {
     "path",
     "path.allow_overrun",
     "simulation",
+    "positioning",
     "coverage",
     "verdict",
     "seed",

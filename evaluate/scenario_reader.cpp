@@ -267,6 +267,8 @@ Scenario read_scenario(const fs::path& file, std::optional<std::uint64_t> seed) 
           fmt::format("must not be above simulation.rate_hz, {}", scenario.simulation.rate_hz));
     }
   }
+  numbers_section(top, "positioning", scenario);
+  scenario.simulation.positioning.seed = scenario.seed;
   numbers_section(top, "coverage", scenario);
   read_verdict(top, scenario);
   return scenario;

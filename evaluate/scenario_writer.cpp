@@ -132,6 +132,7 @@ std::string scenario_yaml(const Scenario& given) {
   emit(out, "allow_overrun", scenario.path.allow_overrun ? "true" : "false");
   out << YAML::EndMap;
   emit_numbers_section(out, "simulation", scenario);
+  emit_numbers_section(out, "positioning", scenario);
   emit_numbers_section(out, "coverage", scenario);
   emit_verdict(out, scenario);
   emit(out, "seed", fmt::format("{}", scenario.seed));

@@ -101,6 +101,22 @@ TEST_F(ScenarioTest, TerrainFollowsTheSeedUnlessItHasItsOwnAndAGivenOneIsForAll)
   EXPECT_EQ(read(kLeast + "seed: 5\n", 6).seed, 6U);
 }
 
+TEST_F(ScenarioTest, PositioningIsIdealUnlessAskedAndItsNoiseFollowsTheSeed) {
+  EXPECT_EQ(read(kLeast).simulation.positioning.noise_m, 0.0);
+  EXPECT_EQ(read(kLeast).simulation.steering_latency_s, 0.0);
+  const Scenario scenario =
+      read(kLeast +
+               "positioning: {noise_m: 0.02, noise_time_s: 20, latency_s: 0.1}\n"
+               "simulation: {steering_latency_s: 0.2}\nseed: 5\n",
+           6);
+  const PositioningOptions& positioning = scenario.simulation.positioning;
+  EXPECT_EQ(positioning.noise_m, 0.02);
+  EXPECT_EQ(positioning.noise_time_s, 20.0);
+  EXPECT_EQ(positioning.latency_s, 0.1);
+  EXPECT_EQ(scenario.simulation.steering_latency_s, 0.2);
+  EXPECT_EQ(positioning.seed, 6U);
+}
+
 TEST_F(ScenarioTest, ReadsBackWhatItWrote) {
   const Scenario first = read(R"(name: "two: words"
 field:
