@@ -15,7 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kJoulePerWh = 3600.0;
 constexpr double kSquareMetresPerHa = 1e4;
 constexpr PathKind kKinds[] = {PathKind::kSwath, PathKind::kHeadlandPass, PathKind::kTurn,
                                PathKind::kUTurn, PathKind::kTransit};
@@ -86,7 +85,7 @@ std::string energy_table(const RunRecord& run) {
   std::stable_sort(causes.begin(), causes.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   for (const auto& [energy_j, cause] : causes) {
-    const double wh = energy_j / kJoulePerWh;
+    const double wh = energy_j / kJoulePerWattHour;
     if (std::abs(wh) < 0.05) continue;
     text += row(energy_cause_name(cause), fmt::format("{:.1f} Wh", wh),
                 battery_j > 0.0 ? fmt::format("{:5.1f} %", 100.0 * energy_j / battery_j) : "");
@@ -100,7 +99,7 @@ std::string kind_table(const Metrics& metrics) {
   for (const PathKind kind : kKinds) {
     const KindTotals& totals = metrics.by_kind[static_cast<std::size_t>(kind)];
     if (totals.count == 0) continue;
-    const double wh = totals.energy.battery_j / kJoulePerWh;
+    const double wh = totals.energy.battery_j / kJoulePerWattHour;
     text += fmt::format("  {:<16}{:>6}{:>9.0f} m{:>14}{:>10.1f} Wh{:>8.3f} Wh{:>10.2f} Wh\n",
                         path_kind_name(kind), totals.count, totals.distance_m,
                         duration_text(totals.time_s), wh,
