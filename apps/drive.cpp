@@ -7,9 +7,10 @@
 #include "apps/commands.h"
 #include "apps/interrupt.h"
 #include "apps/summary.h"
-#include "evaluate/json_text.h"
+#include "apps/terminal_text.h"
 #include "evaluate/results.h"
 #include "terrains/input_error.h"
+#include "terrains/json_text.h"
 #include "vehicle_models/vehicle_check.h"
 
 namespace headland {
@@ -78,8 +79,8 @@ int drive(const DriveOptions& options) {
     fmt::print("{}\n", json_text(result.json, 2));
   } else if (!options.common.quiet) {
     fmt::print("{}{}\nresults and tables are in {}; 'headland render {}' draws them\n",
-               track ? track_summary(*track) : "", run_summary(job, result), folder.string(),
-               folder.string());
+               track ? track_summary(*track) : "", run_summary(job, result),
+               terminal_text(folder.string()), terminal_text(folder.string()));
   }
   return exit_code_of(result.verdict);
 }

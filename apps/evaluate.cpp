@@ -6,7 +6,8 @@
 #include "apps/commands.h"
 #include "apps/interrupt.h"
 #include "apps/summary.h"
-#include "evaluate/json_text.h"
+#include "apps/terminal_text.h"
+#include "terrains/json_text.h"
 #include "vehicle_models/vehicle_check.h"
 
 namespace headland {
@@ -25,7 +26,7 @@ int evaluate(const CommonOptions& options) {
     fmt::print("{}\n", json_text(result.json, 2));
   } else if (!options.quiet) {
     fmt::print("{}{}\nresults, tables and pictures are in {}\n", run_summary(job, result),
-               cut_back_note(plan.path), job.folder.string());
+               cut_back_note(plan.path), terminal_text(job.folder.string()));
   }
   return exit_code_of(result.verdict);
 }

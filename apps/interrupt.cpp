@@ -1,14 +1,27 @@
 #include "apps/interrupt.h"
 
+#include <unistd.h>
+
 #include <csignal>
+
+#include "apps/commands.h"
 
 namespace headland {
 namespace {
 
-// A signal handler has no argument to carry it.
+// A signal handler has no argument to carry them.
 volatile std::sig_atomic_t interrupt_seen = 0;
+volatile std::sig_atomic_t at_once = 0;
 
 extern "C" void note_interrupt(int signal) {
+  if (at_once != 0) {
+    for (const char* text : {"headland: ", kInterruptedText, "\n"}) {
+      std::size_t length = 0;
+      while (text[length] != '\0') ++length;
+      if (::write(STDERR_FILENO, text, length) < 0) break;
+    }
+    ::_exit(kExitInterrupted);
+  }
   interrupt_seen = 1;
   std::signal(signal, SIG_DFL);
 }
@@ -22,5 +35,14 @@ bool interrupted() { return interrupt_seen != 0; }
 void stop_if_interrupted() {
   if (interrupted()) throw Interrupted{};
 }
+
+InterruptAtOnce::InterruptAtOnce() {
+  at_once = 1;
+  if (!interrupted()) return;
+  at_once = 0;
+  throw Interrupted{};
+}
+
+InterruptAtOnce::~InterruptAtOnce() { at_once = 0; }
 
 }  // namespace headland

@@ -3,6 +3,8 @@
 
 namespace headland {
 
+inline constexpr char kInterruptedText[] = "interrupted; what the finished stages wrote is kept";
+
 // Thrown by a stage that was interrupted; the command exits with 130.
 struct Interrupted {};
 
@@ -13,5 +15,16 @@ bool interrupted();
 
 // Throws Interrupted.
 void stop_if_interrupted();
+
+// While one lives, a first Ctrl-C ends the program at once, with the message and exit code of any
+// other: for work with no place to stop at and nothing on disk yet (reading, planning, drawing).
+// Its constructor throws Interrupted as stop_if_interrupted does.
+class InterruptAtOnce {
+ public:
+  InterruptAtOnce();
+  ~InterruptAtOnce();
+  InterruptAtOnce(const InterruptAtOnce&) = delete;
+  InterruptAtOnce& operator=(const InterruptAtOnce&) = delete;
+};
 
 }  // namespace headland

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "apps/commands.h"
-#include "evaluate/json_text.h"
 #include "planner/planners.h"
+#include "terrains/json_text.h"
 #include "terrains/soil.h"
 #include "terrains/terrain_source.h"
 #include "vehicle_models/vehicle_loader.h"
@@ -20,14 +20,14 @@ Json parameters_json(std::span<const ParameterSpec> specs) {
   for (const ParameterSpec& spec : specs) {
     Json entry;
     entry["name"] = spec.name;
-    if (spec.choices.empty()) {
-      entry["default"] = std::get<double>(spec.default_value);
+    std::visit([&](const auto& value) { entry["default"] = value; }, spec.default_value);
+    if (takes_number(spec)) {
       entry["min"] = spec.min;
       entry["max"] = spec.max;
-    } else {
-      entry["default"] = std::get<std::string>(spec.default_value);
-      entry["choices"] = spec.choices;
+      entry["whole"] = spec.whole;
     }
+    if (!spec.choices.empty()) entry["choices"] = spec.choices;
+    entry["allowed"] = allowed_values(spec);
     entry["what"] = spec.what;
     list.push_back(std::move(entry));
   }
@@ -88,16 +88,11 @@ Json vehicles_json() {
 std::string parameters_text(const Json& parameters) {
   std::string text;
   for (const Json& entry : parameters) {
-    const std::string range =
-        entry.contains("choices")
-            ? fmt::format("one of {}",
-                          fmt::join(entry["choices"].get<std::vector<std::string>>(), ", "))
-            : fmt::format("{} to {}", entry["min"].get<double>(), entry["max"].get<double>());
     const std::string value = entry["default"].is_number()
                                   ? fmt::format("{}", entry["default"].get<double>())
                                   : entry["default"].get<std::string>();
     text += fmt::format("    {:<24} {:>10}   {}; {}\n", entry["name"].get<std::string>(), value,
-                        entry["what"].get<std::string>(), range);
+                        entry["what"].get<std::string>(), entry["allowed"].get<std::string>());
   }
   return text;
 }

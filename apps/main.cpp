@@ -6,6 +6,7 @@
 
 #include "apps/commands.h"
 #include "apps/interrupt.h"
+#include "apps/terminal_text.h"
 #include "planner/plan.h"
 #include "terrains/input_error.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 void complain(std::string line) {
   std::replace(line.begin(), line.end(), '\n', ' ');
-  fmt::print(stderr, "headland: {}\n", line);
+  fmt::print(stderr, "headland: {}\n", headland::terminal_text(line));
 }
 
 std::vector<std::string> subcommand_names(const CLI::App& app) {
@@ -32,6 +33,18 @@ void check_subcommand(const CLI::App& app, const std::string& option, const char
                   headland::nearest_name(word, known), fmt::join(known, ", ")));
 }
 
+// An empty name would stand for the current folder, an empty number for none.
+void refuse_empty_values(CLI::App& app) {
+  for (CLI::App* command : app.get_subcommands({})) {
+    for (CLI::Option* option : command->get_options()) {
+      if (option->get_type_size() == 0) continue;
+      option->check([](const std::string& given) {
+        return std::string(given.empty() ? "the value is empty" : "");
+      });
+    }
+  }
+}
+
 int run(int argc, char** argv) {
   int exit_code = headland::kExitRan;
   CLI::App app("Drives coverage plans in physics before anyone drives them in a field.",
@@ -44,6 +57,7 @@ int run(int argc, char** argv) {
   headland::add_drive_command(app, exit_code);
   headland::add_render_command(app, exit_code);
   headland::add_list_command(app, exit_code);
+  refuse_empty_values(app);
   if (argc > 1) check_subcommand(app, "", argv[1]);
   if (argc > 2 && argv[1] == std::string("list")) {
     check_subcommand(*app.get_subcommand("list"), "list", argv[2]);
@@ -74,7 +88,7 @@ int main(int argc, char** argv) {
     complain(fmt::format("{}: {}", error.path1().string(), error.code().message()));
     return headland::kExitBadInput;
   } catch (const headland::Interrupted&) {
-    complain("interrupted; what the finished stages wrote is kept");
+    complain(headland::kInterruptedText);
     return headland::kExitInterrupted;
   } catch (const std::exception& error) {
     complain(std::string("internal error: ") + error.what());

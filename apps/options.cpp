@@ -1,19 +1,34 @@
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 
 #include "apps/commands.h"
 #include "apps/interrupt.h"
 #include "apps/progress.h"
-#include "evaluate/atomic_file.h"
+#include "apps/terminal_text.h"
 #include "evaluate/coverage.h"
+#include "evaluate/results.h"
 #include "terrains/input_error.h"
 
 namespace headland {
 
+namespace {
+
+// CLI11 takes -1 for the largest number and cuts off what is too large.
+std::string whole_number_fault(const std::string& given) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), value);
+  if (error == std::errc() && end == given.data() + given.size()) return "";
+  return "'" + given + "': a whole number from 0 to 18446744073709551615 is needed";
+}
+
+}  // namespace
+
 void add_scenario_options(CLI::App& command, CommonOptions& options) {
-  command.add_option("--seed", options.seed,
-                     "Seed of every random draw, instead of the scenario's");
+  command
+      .add_option("--seed", options.seed, "Seed of every random draw, instead of the scenario's")
+      ->check(whole_number_fault);
   command.add_flag("--allow-overrun", options.allow_overrun,
                    "Record where the path does not fit the field instead of refusing");
   command.add_flag("--json", options.json, "Print the summary as JSON, and nothing else");
@@ -30,7 +45,8 @@ void add_size_option(CLI::App& command, CommonOptions& options) {
 
 Job make_job(const std::filesystem::path& file, const std::filesystem::path& folder,
              const CommonOptions& options) {
-  check_output_folder(folder);
+  check_results_folder(folder);
+  const InterruptAtOnce at_once;
   Job job;
   job.folder = folder;
   job.scenario = read_scenario(file, options.seed);
@@ -75,6 +91,9 @@ DriveResult drive_with_progress(const Job& job, const CommonOptions& options) {
   try {
     DriveResult result = drive_stage(job, on_progress);
     end_progress(line);
+    for (const std::string& note : result.notes) {
+      fmt::print(stderr, "headland: {}\n", terminal_text(note));
+    }
     return result;
   } catch (...) {
     end_progress(line);

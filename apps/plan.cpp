@@ -5,7 +5,8 @@
 
 #include "apps/commands.h"
 #include "apps/summary.h"
-#include "evaluate/json_text.h"
+#include "apps/terminal_text.h"
+#include "terrains/json_text.h"
 
 namespace headland {
 namespace {
@@ -16,7 +17,8 @@ int plan(const CommonOptions& options) {
   if (options.json) {
     fmt::print("{}\n", json_text(plan_summary_json(job, result), 2));
   } else if (!options.quiet) {
-    fmt::print("{}\nplan and path are in {}\n", plan_summary(job, result), job.folder.string());
+    fmt::print("{}\nplan and path are in {}\n", plan_summary(job, result),
+               terminal_text(job.folder.string()));
   }
   return kExitRan;
 }

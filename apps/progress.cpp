@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdio>
+
+#include "evaluate/duration_text.h"
 
 namespace headland {
 
@@ -33,14 +34,6 @@ void show_progress(ProgressLine& line, const SimulationProgress& progress) {
 
 void end_progress(const ProgressLine& line) {
   if (line.shown) fmt::print(stderr, "\r\x1b[K");
-}
-
-std::string duration_text(double seconds) {
-  if (!std::isfinite(seconds)) return "unknown time";
-  const long long whole = std::llround(seconds);
-  if (whole < 60) return fmt::format("{} s", whole);
-  if (whole < 3600) return fmt::format("{} min {:02d} s", whole / 60, whole % 60);
-  return fmt::format("{} h {:02d} min", whole / 3600, whole % 3600 / 60);
 }
 
 }  // namespace headland

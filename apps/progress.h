@@ -2,7 +2,6 @@
 #pragma once
 
 #include <chrono>
-#include <string>
 
 #include "sim/simulation.h"
 
@@ -24,8 +23,5 @@ void show_progress(ProgressLine& line, const SimulationProgress& progress);
 
 // Clears the line.
 void end_progress(const ProgressLine& line);
-
-// "1 h 02 min", "3 min 20 s", "45 s".
-std::string duration_text(double seconds);
 
 }  // namespace headland

@@ -4,12 +4,16 @@
 #include <memory>
 
 #include "apps/commands.h"
-#include "evaluate/json_text.h"
+#include "apps/terminal_text.h"
 #include "evaluate/results.h"
 #include "terrains/input_error.h"
+#include "terrains/input_file.h"
+#include "terrains/json_text.h"
 
 namespace headland {
 namespace {
+
+constexpr const char* kPictures[] = {kFieldPicture, kViewPicture, kEnergyPicture};
 
 int render(const CommonOptions& options) {
   const std::filesystem::path folder = options.folder;
@@ -19,18 +23,20 @@ int render(const CommonOptions& options) {
       throw InputError((folder / needed).string(), "", "",
                        "no such file: 'headland drive' or 'headland evaluate' writes it");
     }
+    require_file(folder / needed);
   }
   const Job job = make_job(folder / kScenarioFile, folder, options);
   draw_stage(job, size);
   if (options.json) {
     nlohmann::ordered_json json;
-    for (const char* name : {kFieldPicture, kViewPicture, kEnergyPicture}) {
+    for (const char* name : kPictures) {
       json["pictures"].push_back((folder / name).string());
     }
     fmt::print("{}\n", json_text(json, 2));
   } else if (!options.quiet) {
-    fmt::print("{}\n{}\n{}\n", (folder / kFieldPicture).string(), (folder / kViewPicture).string(),
-               (folder / kEnergyPicture).string());
+    for (const char* name : kPictures) {
+      fmt::print("{}\n", terminal_text((folder / name).string()));
+    }
   }
   return kExitRan;
 }

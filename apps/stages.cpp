@@ -1,18 +1,21 @@
 #include "apps/stages.h"
 
+#include <fmt/format.h>
+
 #include <system_error>
-#include <vector>
 
 #include "apps/interrupt.h"
 #include "evaluate/atomic_file.h"
 #include "evaluate/coverage.h"
-#include "evaluate/json_text.h"
 #include "evaluate/metrics_file.h"
 #include "evaluate/plan_file.h"
 #include "evaluate/results.h"
 #include "evaluate/run_tables.h"
 #include "planner/planners.h"
 #include "render/image.h"
+#include "render/vehicle_mesh.h"
+#include "terrains/input_file.h"
+#include "terrains/json_text.h"
 #include "terrains/track.h"
 
 namespace headland {
@@ -21,6 +24,12 @@ namespace {
 CoverageRaster coverage_of(const Job& job, const RunRecord& run) {
   return measure_coverage(job.stage.field, run.footprints, job.scenario.working_width_m,
                           job.scenario.coverage_cell_m);
+}
+
+std::vector<std::string> notes_on(const Vehicle& vehicle) {
+  const std::string mesh = body_mesh(vehicle).note;
+  if (mesh.empty()) return {};
+  return {fmt::format("vehicle {}: {} in the pictures", vehicle.name, mesh)};
 }
 
 void remove_file(const std::filesystem::path& file) {
@@ -32,12 +41,12 @@ void remove_file(const std::filesystem::path& file) {
 
 PlanResult plan_stage(const Job& job) {
   const PlannerEntry& planner = find_planner(job.scenario.planner.name, job.scenario.file.string());
-  stop_if_interrupted();
   PlanResult result;
-  result.plan = planner.plan(plan_request(job.scenario, job.stage));
-  stop_if_interrupted();
-  result.path = make_path(job.stage.field, job.stage.vehicle, result.plan, job.scenario.path);
-  stop_if_interrupted();
+  {
+    const InterruptAtOnce at_once;
+    result.plan = planner.plan(plan_request(job.scenario, job.stage));
+    result.path = make_path(job.stage.field, job.stage.vehicle, result.plan, job.scenario.path);
+  }
   const GeoFrame& frame = job.stage.field.frame;
   write_together(job.folder, {{kScenarioFile, scenario_yaml(job.scenario)},
                               {kPlanFile, plan_geojson(result.plan, frame)},
@@ -49,11 +58,13 @@ PlanResult plan_stage(const Job& job) {
 Path track_stage(const Job& job, const std::filesystem::path& track_file, double tolerance_m,
                  TrackReport& report) {
   const GeoFrame& frame = job.stage.field.frame;
-  stop_if_interrupted();
-  const Track track = read_track(track_file, frame);
-  Path path = make_drivable(job.stage.field, job.stage.vehicle, track, tolerance_m,
-                            job.scenario.path, &report);
-  stop_if_interrupted();
+  Path path;
+  {
+    const InterruptAtOnce at_once;
+    const Track track = read_track(track_file, frame);
+    path = make_drivable(job.stage.field, job.stage.vehicle, track, tolerance_m, job.scenario.path,
+                         &report);
+  }
   write_together(job.folder, {{kScenarioFile, scenario_yaml(job.scenario)},
                               {kPathFile, path_geojson(path, frame)}});
   remove_file(job.folder / kPlanFile);
@@ -62,6 +73,8 @@ Path track_stage(const Job& job, const std::filesystem::path& track_file, double
 }
 
 void adopt_plan(const Job& job, const std::filesystem::path& from) {
+  // What cannot be driven is not taken over.
+  static_cast<void>(read_path(from / kPathFile, job.stage.field));
   const bool planned = std::filesystem::exists(from / kPlanFile);
   std::vector<FileText> files = {{kScenarioFile, scenario_yaml(job.scenario)},
                                  {kPathFile, read_text(from / kPathFile)}};
@@ -75,16 +88,17 @@ DriveResult drive_stage(const Job& job,
                         const std::function<bool(const SimulationProgress&)>& progress) {
   const Field& field = job.stage.field;
   DriveResult result;
-  result.path = read_path(job.folder / kPathFile, field.frame);
+  result.path = read_path(job.folder / kPathFile, field);
+  result.notes = notes_on(job.stage.vehicle);
   result.run = simulate({field, job.stage.terrain, job.stage.soil, job.stage.vehicle, result.path,
                          job.scenario.simulation, progress});
   if (result.run.outcome == Outcome::kInterrupted) throw Interrupted{};
   result.metrics =
       measure_run(result.path, result.run, coverage_figures(coverage_of(job, result.run)));
   result.verdict = judge(result.path, result.run, result.metrics, job.scenario.verdict);
-  result.json =
-      metrics_json({job.scenario, field, result.path, result.run, result.metrics, result.verdict},
-                   HEADLAND_VERSION);
+  result.json = metrics_json({job.scenario, field, job.stage.vehicle, result.path, result.run,
+                              result.metrics, result.verdict, result.notes},
+                             HEADLAND_VERSION);
   write_together(job.folder, {{kScenarioFile, scenario_yaml(job.scenario)},
                               {kRunFile, run_csv(result.run.samples, field.frame)},
                               {kFootprintFile, footprint_csv(result.run.footprints)},
@@ -96,17 +110,18 @@ DriveResult drive_stage(const Job& job,
 
 void draw_stage(const Job& job, const PictureSize& size) {
   const Stage& stage = job.stage;
-  const Path path = read_path(job.folder / kPathFile, stage.field.frame);
-  const RunRecord run = read_run(job.folder, path);
-  const CoverageRaster coverage = coverage_of(job, run);
-  const PictureScene scene{stage.field, stage.terrain, stage.vehicle, path, run, coverage};
-  const auto draw = [&](auto draw_picture, const char* name) {
-    stop_if_interrupted();
-    write_png(draw_picture(scene, size), job.folder / name);
-  };
-  draw(draw_field_map, kFieldPicture);
-  draw(draw_view, kViewPicture);
-  draw(draw_energy_map, kEnergyPicture);
+  std::vector<FileText> pictures;
+  {
+    const InterruptAtOnce at_once;
+    const Path path = read_path(job.folder / kPathFile, stage.field);
+    const RunRecord run = read_run(job.folder, path);
+    const CoverageRaster coverage = coverage_of(job, run);
+    const PictureScene scene{stage.field, stage.terrain, stage.vehicle, path, run, coverage};
+    pictures = {{kFieldPicture, png_of(draw_field_map(scene, size))},
+                {kViewPicture, png_of(draw_view(scene, size))},
+                {kEnergyPicture, png_of(draw_energy_map(scene, size))}};
+  }
+  write_together(job.folder, pictures);
 }
 
 }  // namespace headland

@@ -6,6 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "evaluate/metrics.h"
 #include "evaluate/scenario.h"
@@ -34,7 +35,8 @@ struct DriveResult {
   RunRecord run;
   Metrics metrics;
   Verdict verdict;
-  nlohmann::ordered_json json;  // of metrics.json
+  std::vector<std::string> notes;  // what the user should know besides
+  nlohmann::ordered_json json;     // of metrics.json
 };
 
 // Plans the field and makes the plan drivable. Writes scenario.yaml, plan.geojson, path.geojson.
@@ -46,7 +48,8 @@ PlanResult plan_stage(const Job& job);
 Path track_stage(const Job& job, const std::filesystem::path& track_file, double tolerance_m,
                  TrackReport& report);
 
-// Copies the plan and path that `plan` wrote into folder `from` to the job's folder.
+// Copies the plan and path that `plan` wrote into folder `from` to the job's folder. Throws
+// InputError as read_path does: nothing is written then.
 void adopt_plan(const Job& job, const std::filesystem::path& from);
 
 // Drives path.geojson in physics, measures and judges it. Writes scenario.yaml, run.csv,
@@ -55,7 +58,7 @@ void adopt_plan(const Job& job, const std::filesystem::path& from);
 DriveResult drive_stage(const Job& job,
                         const std::function<bool(const SimulationProgress&)>& progress);
 
-// Draws field.png, view.png and energy.png from what is in the folder.
+// Draws field.png, view.png and energy.png from what is in the folder; writes them together.
 void draw_stage(const Job& job, const PictureSize& size);
 
 }  // namespace headland

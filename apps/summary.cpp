@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "apps/progress.h"
+#include "apps/terminal_text.h"
+#include "evaluate/duration_text.h"
+#include "vehicle_models/vehicle_figures.h"
 
 namespace headland {
 namespace {
@@ -16,13 +18,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kSquareMetresPerHa = 1e4;
-constexpr PathKind kKinds[] = {PathKind::kSwath, PathKind::kHeadlandPass, PathKind::kTurn,
-                               PathKind::kUTurn, PathKind::kTransit};
-
 std::string row(std::string_view label, const std::string& value, const std::string& note = "") {
   const std::string line = fmt::format("  {:<26}{:>12}   {}", label, value, note);
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
+
+double degrees(double angle_rad) { return angle_rad * 180.0 / std::numbers::pi; }
 
 std::string hectares(double area_m2) {
   return fmt::format("{:.3f} ha", area_m2 / kSquareMetresPerHa);
@@ -37,15 +38,16 @@ std::string place(const Peak& peak) {
 
 std::string headline(const Job& job) {
   const Scenario& scenario = job.scenario;
-  return fmt::format("{}: {} with {:.4g} m on {} of {} ground, terrain {}, seed {}\n",
-                     scenario.name, job.stage.vehicle.name, scenario.working_width_m,
-                     hectares(field_area_m2(job.stage.field)), scenario.soil,
-                     scenario.terrain.file.empty() ? scenario.terrain.generator
-                                                   : scenario.terrain.file.filename().string(),
-                     scenario.seed);
+  return fmt::format(
+      "{}: {} with {:.4g} m on {} of {} ground, terrain {}, seed {}\n",
+      terminal_text(scenario.name), terminal_text(job.stage.vehicle.name), scenario.working_width_m,
+      hectares(field_area_m2(job.stage.field)), scenario.soil,
+      scenario.terrain.file.empty() ? scenario.terrain.generator
+                                    : terminal_text(scenario.terrain.file.filename().string()),
+      scenario.seed);
 }
 
-std::string figures(const DriveResult& result) {
+std::string figures(const Vehicle& vehicle, const DriveResult& result) {
   const Metrics& m = result.metrics;
   const Peaks& peaks = result.run.peaks;
   const CoverageFigures& area = m.coverage;
@@ -68,6 +70,10 @@ std::string figures(const DriveResult& result) {
          row("worst slip", percent(m.worst_slip), place(peaks.slip)) +
          row("load transfer", fmt::format("{:.2f}", m.worst_load_transfer),
              place(peaks.load_transfer_ratio) + " (1 lifts the wheels of a side)") +
+         row("tips at rest on",
+             fmt::format("{:.0f} deg", degrees(side_stability_angle_rad(vehicle))),
+             fmt::format("of side slope, nose up on {:.0f} deg",
+                         degrees(nose_up_stability_angle_rad(vehicle)))) +
          row("tracking error", fmt::format("{:.3f} m", m.track_rms_working_m),
              fmt::format("rms at work, worst {:.3f} m; {:.3f} m rms in turns",
                          std::abs(peaks.cross_track_working_m.value), m.track_rms_turning_m)) +
@@ -96,7 +102,7 @@ std::string energy_table(const RunRecord& run) {
 std::string kind_table(const Metrics& metrics) {
   std::string text = fmt::format("\n  {:<16}{:>6}{:>11}{:>14}{:>13}{:>11}{:>13}\n", "by movement",
                                  "count", "distance", "time", "energy", "per m", "each");
-  for (const PathKind kind : kKinds) {
+  for (const PathKind kind : kEveryPathKind) {
     const KindTotals& totals = metrics.by_kind[static_cast<std::size_t>(kind)];
     if (totals.count == 0) continue;
     const double wh = totals.energy.battery_j / kJoulePerWattHour;
@@ -113,6 +119,12 @@ std::string verdict_text(const Verdict& verdict) {
   for (const Reason& reason : verdict.reasons) {
     text += fmt::format("  {:<5} {}\n", grade_name(reason.grade), reason.text);
   }
+  return text;
+}
+
+std::string notes_text(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) text += "note: " + terminal_text(note) + "\n";
   return text;
 }
 
@@ -149,8 +161,8 @@ std::string charge_change_text(double delta_soc) {
 }
 
 std::string run_summary(const Job& job, const DriveResult& result) {
-  return headline(job) + "\n" + figures(result) + energy_table(result.run) +
-         kind_table(result.metrics) + verdict_text(result.verdict);
+  return headline(job) + "\n" + figures(job.stage.vehicle, result) + energy_table(result.run) +
+         kind_table(result.metrics) + verdict_text(result.verdict) + notes_text(result.notes);
 }
 
 std::string cut_back_note(const Path& path) {
@@ -163,13 +175,12 @@ std::string cut_back_note(const Path& path) {
 std::string plan_summary(const Job& job, const PlanResult& result) {
   std::string text =
       headline(job) + "\n" + row("planner", result.plan.planner) +
-      row("swath direction",
-          fmt::format("{:.1f} deg", result.plan.swath_direction_rad * 180.0 / std::numbers::pi),
+      row("swath direction", fmt::format("{:.1f} deg", degrees(result.plan.swath_direction_rad)),
           "counter-clockwise from east") +
       row("headland", fmt::format("{:.2f} m", result.plan.headland_width_m)) +
       row("path", fmt::format("{:.0f} m", length_m(result.path)),
           fmt::format("{:.0f} m of it in reverse", reverse_length_m(result.path)));
-  for (const PathKind kind : kKinds) {
+  for (const PathKind kind : kEveryPathKind) {
     const int count = manoeuvres_of(result.path, kind);
     if (count == 0) continue;
     text += row(fmt::format("{} x {}", count, path_kind_name(kind)),
@@ -194,7 +205,7 @@ Json plan_summary_json(const Job& job, const PlanResult& result) {
   json["headland_width_m"] = result.plan.headland_width_m;
   json["path_length_m"] = length_m(result.path);
   json["reverse_length_m"] = reverse_length_m(result.path);
-  for (const PathKind kind : kKinds) {
+  for (const PathKind kind : kEveryPathKind) {
     json["by_kind"][std::string(path_kind_name(kind))] = {
         {"count", manoeuvres_of(result.path, kind)}, {"length_m", length_of_m(result.path, kind)}};
   }

@@ -5,8 +5,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 #include <system_error>
 
@@ -34,13 +32,33 @@ fs::path partial_name(const fs::path& folder, const FileText& file) {
   return folder / fmt::format(".{}.partial", file.name);
 }
 
+// A second name of the file that is about to be replaced, until all are.
+fs::path previous_name(const fs::path& folder, const FileText& file) {
+  return folder / fmt::format(".{}.previous", file.name);
+}
+
 InputError cannot_write(const fs::path& file, int error) {
   return {file.string(), "", "", "cannot be written: " + reason(error)};
 }
 
+// Creates `folder` and returns it and those of its parents that were missing too, deepest first.
+std::vector<fs::path> create_folders(const fs::path& folder) {
+  std::vector<fs::path> created;
+  std::error_code error;
+  for (fs::path missing = folder; !missing.empty() && !fs::exists(missing, error);
+       missing = missing.parent_path()) {
+    created.push_back(missing);
+  }
+  fs::create_directories(folder, error);
+  if (error) throw InputError(folder.string(), "", "", "cannot be created: " + error.message());
+  return created;
+}
+
 void write_partial(const fs::path& folder, const FileText& file) {
   const fs::path partial = partial_name(folder, file);
-  const int descriptor = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  // Not to wait for a reader where a pipe of that name stands.
+  const int descriptor =
+      ::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK, 0666);
   if (descriptor < 0) throw cannot_write(folder / file.name, errno);
   int error = write_all(descriptor, file.text);
   // Some file systems tell of a full disk only on closing.
@@ -48,27 +66,61 @@ void write_partial(const fs::path& folder, const FileText& file) {
   if (error != 0) throw cannot_write(folder / file.name, error);
 }
 
+enum class Old { kNone, kKept, kLost };  // what was there before, and whether it can come back
+
+Old replace(const fs::path& folder, const FileText& file) {
+  const fs::path target = folder / file.name;
+  const fs::path previous = previous_name(folder, file);
+  ::unlink(previous.c_str());
+  Old old = Old::kKept;
+  if (::link(target.c_str(), previous.c_str()) != 0) {
+    // Not every file system has second names.
+    old = errno == ENOENT ? Old::kNone : Old::kLost;
+  }
+  if (::rename(partial_name(folder, file).c_str(), target.c_str()) != 0) {
+    throw cannot_write(target, errno);
+  }
+  return old;
+}
+
+void put_back(const fs::path& folder, const FileText& file, Old old) {
+  const fs::path target = folder / file.name;
+  if (old == Old::kKept) ::rename(previous_name(folder, file).c_str(), target.c_str());
+  if (old == Old::kNone) ::unlink(target.c_str());
+}
+
 }  // namespace
 
 void write_together(const fs::path& folder, const std::vector<FileText>& files) {
-  std::error_code error;
-  const bool created = fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string(), "", "", "cannot be created: " + error.message());
-  try {
-    for (const FileText& file : files) write_partial(folder, file);
+  const std::vector<fs::path> created = create_folders(folder);
+  std::vector<Old> replaced;
+  const auto remove_left_overs = [&] {
     for (const FileText& file : files) {
-      if (::rename(partial_name(folder, file).c_str(), (folder / file.name).c_str()) != 0) {
-        throw cannot_write(folder / file.name, errno);
-      }
+      ::unlink(partial_name(folder, file).c_str());
+      ::unlink(previous_name(folder, file).c_str());
     }
+  };
+  try {
+    for (const FileText& file : files) require_no_folder(folder / file.name);
+    for (const FileText& file : files) write_partial(folder, file);
+    for (const FileText& file : files) replaced.push_back(replace(folder, file));
   } catch (const InputError&) {
-    for (const FileText& file : files) ::unlink(partial_name(folder, file).c_str());
-    if (created) ::rmdir(folder.c_str());
+    for (std::size_t i = 0; i < replaced.size(); ++i) put_back(folder, files[i], replaced[i]);
+    remove_left_overs();
+    for (const fs::path& made : created) ::rmdir(made.c_str());
     throw;
   }
+  remove_left_overs();
+}
+
+void require_no_folder(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::symlink_status(file, ignored).type() != fs::file_type::directory) return;
+  throw InputError(file.string(), "", "", "cannot be written: a folder of that name is in the way");
 }
 
 void check_output_folder(const fs::path& folder) {
+  if (folder.empty()) throw InputError("-o", "", "", "a folder for the results is needed");
   std::error_code ignored;
   fs::path existing = fs::absolute(folder, ignored).lexically_normal();
   while (!fs::exists(existing, ignored) && existing.has_relative_path()) {
@@ -82,19 +134,6 @@ void check_output_folder(const fs::path& folder) {
     throw InputError(folder.string(), "", "",
                      "cannot hold the results: " + existing.string() + ": " + reason(errno));
   }
-}
-
-std::string read_text(const fs::path& file) {
-  std::error_code error;
-  if (fs::is_directory(file, error)) {
-    throw InputError(file.string(), "", "", "is a folder, not a file");
-  }
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file.string(), "", "", "cannot be read: " + reason(errno));
-  std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (stream.bad()) throw InputError(file.string(), "", "", "cannot be read: " + reason(errno));
-  return text;
 }
 
 }  // namespace headland

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "evaluate/atomic_file.h"
-#include "evaluate/json_text.h"
 #include "terrains/input_error.h"
+#include "terrains/json_text.h"
 
 namespace headland {
 namespace {

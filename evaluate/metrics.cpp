@@ -7,17 +7,12 @@
 #include <set>
 #include <utility>
 
+#include "sim/ledger.h"
+
 namespace headland {
 namespace {
 
 constexpr double kSquareMetrePerHectare = 10000.0;
-
-void add(EnergyBalance& sum, const EnergyBalance& part) {
-  sum.battery_j += part.battery_j;
-  for (std::size_t cause = 0; cause < kEnergyCauses; ++cause) {
-    sum.cause_j[cause] += part.cause_j[cause];
-  }
-}
 
 // Root of the mean square over a distance, from its integral over that distance.
 struct DistanceMean {

@@ -1,6 +1,7 @@
 // Figures of a run: free functions over its record.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "evaluate/coverage.h"
@@ -17,7 +18,10 @@ struct KindTotals {
   EnergyBalance energy;
 };
 
-inline constexpr std::size_t kPathKinds = 5;
+inline constexpr std::array kEveryPathKind = {PathKind::kSwath, PathKind::kHeadlandPass,
+                                              PathKind::kTurn, PathKind::kUTurn,
+                                              PathKind::kTransit};
+inline constexpr std::size_t kPathKinds = kEveryPathKind.size();
 
 struct Metrics {
   CoverageFigures coverage;

@@ -4,77 +4,49 @@
 
 #include <cmath>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include "evaluate/geojson.h"
-#include "evaluate/json_text.h"
 #include "evaluate/run_tables.h"
 #include "terrains/input_error.h"
+#include "terrains/json_text.h"
+#include "vehicle_models/vehicle_figures.h"
 
 namespace headland {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A number and its key: one literal table serves writing and reading.
-template <typename Owner, typename Value>
-struct Entry {
+// Keys of the totals and peaks: one table serves writing and reading.
+struct TotalKey {
   const char* key;
-  Value& (*value)(Owner&);
+  double RunRecord::*value;
+};
+constexpr TotalKey kTotals[] = {
+    {"duration_s", &RunRecord::duration_s},
+    {"distance_m", &RunRecord::distance_m},
+    {"soc_start", &RunRecord::soc_start},
+    {"soc_end", &RunRecord::soc_end},
+    {"rested_voltage_start_v", &RunRecord::rested_voltage_start_v},
+    {"rested_voltage_end_v", &RunRecord::rested_voltage_end_v},
 };
 
-constexpr Entry<Metrics, double> kFigures[] = {
-    {"workable_m2", [](Metrics& m) -> double& { return m.coverage.workable_m2; }},
-    {"covered_m2", [](Metrics& m) -> double& { return m.coverage.covered_m2; }},
-    {"missed_m2", [](Metrics& m) -> double& { return m.coverage.missed_m2; }},
-    {"overlap_m2", [](Metrics& m) -> double& { return m.coverage.overlap_m2; }},
-    {"outside_m2", [](Metrics& m) -> double& { return m.coverage.outside_m2; }},
-    {"coverage_ratio", [](Metrics& m) -> double& { return m.coverage_ratio; }},
-    {"overlap_ratio", [](Metrics& m) -> double& { return m.overlap_ratio; }},
-    {"distance_m", [](Metrics& m) -> double& { return m.distance_m; }},
-    {"time_s", [](Metrics& m) -> double& { return m.time_s; }},
-    {"energy_wh", [](Metrics& m) -> double& { return m.energy_wh; }},
-    {"energy_wh_per_ha", [](Metrics& m) -> double& { return m.energy_wh_per_ha; }},
-    {"delta_soc", [](Metrics& m) -> double& { return m.delta_soc; }},
-    {"rested_voltage_drop_v", [](Metrics& m) -> double& { return m.rested_voltage_drop_v; }},
-    {"worst_slip", [](Metrics& m) -> double& { return m.worst_slip; }},
-    {"worst_load_transfer", [](Metrics& m) -> double& { return m.worst_load_transfer; }},
-    {"track_rms_working_m", [](Metrics& m) -> double& { return m.track_rms_working_m; }},
-    {"track_rms_turning_m", [](Metrics& m) -> double& { return m.track_rms_turning_m; }},
-    {"ledger_residual_ratio", [](Metrics& m) -> double& { return m.ledger_residual_ratio; }},
+struct PeakKey {
+  const char* key;
+  Peak Peaks::*value;
 };
-
-constexpr Entry<Metrics, int> kCounts[] = {
-    {"turns", [](Metrics& m) -> int& { return m.turns; }},
-    {"u_turns", [](Metrics& m) -> int& { return m.u_turns; }},
+constexpr PeakKey kPeaks[] = {
+    {"slip", &Peaks::slip},
+    {"load_transfer_ratio", &Peaks::load_transfer_ratio},
+    {"cross_track_working_m", &Peaks::cross_track_working_m},
+    {"cross_track_turning_m", &Peaks::cross_track_turning_m},
+    {"boundary_overrun_m", &Peaks::boundary_overrun_m},
+    {"implement_overhang_m", &Peaks::implement_overhang_m},
+    {"battery_power_w", &Peaks::battery_power_w},
+    {"roll_rad", &Peaks::roll_rad},
+    {"pitch_rad", &Peaks::pitch_rad},
+    {"min_voltage_v", &Peaks::min_voltage_v},
 };
-
-constexpr Entry<RunRecord, double> kTotals[] = {
-    {"duration_s", [](RunRecord& r) -> double& { return r.duration_s; }},
-    {"distance_m", [](RunRecord& r) -> double& { return r.distance_m; }},
-    {"soc_start", [](RunRecord& r) -> double& { return r.soc_start; }},
-    {"soc_end", [](RunRecord& r) -> double& { return r.soc_end; }},
-    {"rested_voltage_start_v", [](RunRecord& r) -> double& { return r.rested_voltage_start_v; }},
-    {"rested_voltage_end_v", [](RunRecord& r) -> double& { return r.rested_voltage_end_v; }},
-    {"motor_clipped_s", [](RunRecord& r) -> double& { return r.peaks.motor_clipped_s; }},
-};
-
-constexpr Entry<Peaks, Peak> kPeaks[] = {
-    {"slip", [](Peaks& p) -> Peak& { return p.slip; }},
-    {"load_transfer_ratio", [](Peaks& p) -> Peak& { return p.load_transfer_ratio; }},
-    {"cross_track_working_m", [](Peaks& p) -> Peak& { return p.cross_track_working_m; }},
-    {"cross_track_turning_m", [](Peaks& p) -> Peak& { return p.cross_track_turning_m; }},
-    {"boundary_overrun_m", [](Peaks& p) -> Peak& { return p.boundary_overrun_m; }},
-    {"implement_overhang_m", [](Peaks& p) -> Peak& { return p.implement_overhang_m; }},
-    {"battery_power_w", [](Peaks& p) -> Peak& { return p.battery_power_w; }},
-    {"roll_rad", [](Peaks& p) -> Peak& { return p.roll_rad; }},
-    {"pitch_rad", [](Peaks& p) -> Peak& { return p.pitch_rad; }},
-    {"min_voltage_v", [](Peaks& p) -> Peak& { return p.min_voltage_v; }},
-};
-
-constexpr PathKind kKinds[] = {PathKind::kSwath, PathKind::kHeadlandPass, PathKind::kTurn,
-                               PathKind::kUTurn, PathKind::kTransit};
 
 void add_place(Json& json, const GeoFrame& frame, const Eigen::Vector2d& p_W) {
   json["x_m"] = rounded(p_W.x(), 3);
@@ -128,17 +100,34 @@ Json verdict_json(const RunReport& report) {
   return json;
 }
 
-Json figures_json(const Metrics& given) {
-  Metrics metrics = given;  // the key table hands out references
+Json figures_json(const Metrics& metrics) {
   Json json;
-  for (const auto& figure : kFigures) json[figure.key] = figure.value(metrics);
-  for (const auto& count : kCounts) json[count.key] = count.value(metrics);
+  json["workable_m2"] = metrics.coverage.workable_m2;
+  json["covered_m2"] = metrics.coverage.covered_m2;
+  json["missed_m2"] = metrics.coverage.missed_m2;
+  json["overlap_m2"] = metrics.coverage.overlap_m2;
+  json["outside_m2"] = metrics.coverage.outside_m2;
+  json["coverage_ratio"] = metrics.coverage_ratio;
+  json["overlap_ratio"] = metrics.overlap_ratio;
+  json["distance_m"] = metrics.distance_m;
+  json["time_s"] = metrics.time_s;
+  json["energy_wh"] = metrics.energy_wh;
+  json["energy_wh_per_ha"] = metrics.energy_wh_per_ha;
+  json["delta_soc"] = metrics.delta_soc;
+  json["rested_voltage_drop_v"] = metrics.rested_voltage_drop_v;
+  json["worst_slip"] = metrics.worst_slip;
+  json["worst_load_transfer"] = metrics.worst_load_transfer;
+  json["track_rms_working_m"] = metrics.track_rms_working_m;
+  json["track_rms_turning_m"] = metrics.track_rms_turning_m;
+  json["ledger_residual_ratio"] = metrics.ledger_residual_ratio;
+  json["turns"] = metrics.turns;
+  json["u_turns"] = metrics.u_turns;
   return json;
 }
 
 Json kinds_json(const Metrics& metrics) {
   Json json;
-  for (const PathKind kind : kKinds) {
+  for (const PathKind kind : kEveryPathKind) {
     const KindTotals& totals = metrics.by_kind[static_cast<std::size_t>(kind)];
     Json& entry = json[std::string(path_kind_name(kind))];
     entry["count"] = totals.count;
@@ -149,25 +138,30 @@ Json kinds_json(const Metrics& metrics) {
   return json;
 }
 
-Json totals_json(const RunRecord& given) {
-  RunRecord run = given;  // the key table hands out references
+Json totals_json(const RunRecord& run) {
   Json json;
-  for (const auto& total : kTotals) json[total.key] = total.value(run);
+  for (const TotalKey& total : kTotals) json[total.key] = run.*total.value;
+  json["motor_clipped_s"] = run.peaks.motor_clipped_s;
   json["belly_contacts"] = run.peaks.belly_contacts;
   return json;
 }
 
-Json peaks_json(const Peaks& given, const GeoFrame& frame) {
-  Peaks peaks = given;  // the key table hands out references
+Json peaks_json(const Peaks& peaks, const GeoFrame& frame) {
   Json json;
-  for (const auto& entry : kPeaks) {
-    const Peak& peak = entry.value(peaks);
+  for (const PeakKey& entry : kPeaks) {
+    const Peak& peak = peaks.*entry.value;
     Json& written = json[entry.key];
     written["value"] = peak.value;
     written["time_s"] = peak.time_s;
     add_place(written, frame, peak.p_W);
   }
   return json;
+}
+
+// The machine at rest: what its numbers alone say of tipping.
+Json stability_json(const Vehicle& vehicle) {
+  return {{"side_stability_angle_rad", side_stability_angle_rad(vehicle)},
+          {"nose_up_stability_angle_rad", nose_up_stability_angle_rad(vehicle)}};
 }
 
 Json path_json(const RunReport& report) {
@@ -206,7 +200,8 @@ struct Source {
 
   int count() const {
     const double value = number();
-    if (value >= 0.0 && value <= std::numeric_limits<int>::max()) return static_cast<int>(value);
+    const bool whole = value >= 0.0 && value == std::floor(value);
+    if (whole && value <= std::numeric_limits<int>::max()) return static_cast<int>(value);
     throw InputError(file.string(), key, json_text(json), "a count from 0 is needed");
   }
 
@@ -248,7 +243,9 @@ Json metrics_json(const RunReport& report, const std::string& version) {
   json["run"] = totals_json(report.run);
   json["energy"] = energy_json(report.run.energy);
   json["peaks"] = peaks_json(report.run.peaks, report.field.frame);
+  json["stability"] = stability_json(report.vehicle);
   json["path"] = path_json(report);
+  json["notes"] = report.notes;
   return json;
 }
 
@@ -258,35 +255,18 @@ RunRecord read_run_totals(const std::filesystem::path& file) {
   RunRecord run;
   run.outcome = read_outcome(top.at("outcome").at("name"));
   run.outcome_detail = top.at("outcome").at("detail").word();
-  for (const auto& total : kTotals) total.value(run) = top.at("run").at(total.key).number();
+  for (const TotalKey& total : kTotals) run.*total.value = top.at("run").at(total.key).number();
+  run.peaks.motor_clipped_s = top.at("run").at("motor_clipped_s").number();
   run.peaks.belly_contacts = top.at("run").at("belly_contacts").count();
   run.energy = read_energy(top.at("energy"));
-  for (const auto& entry : kPeaks) {
+  for (const PeakKey& entry : kPeaks) {
     const Source source = top.at("peaks").at(entry.key);
-    Peak& peak = entry.value(run.peaks);
+    Peak& peak = run.peaks.*entry.value;
     peak.value = source.at("value").number();
     peak.time_s = source.at("time_s").number();
     peak.p_W = {source.at("x_m").number(), source.at("y_m").number()};
   }
   return run;
-}
-
-Metrics read_metrics(const std::filesystem::path& file) {
-  const Json json = parse_json(file);
-  const Source top{file, json, ""};
-  Metrics metrics;
-  const Source figures = top.at("figures");
-  for (const auto& figure : kFigures) figure.value(metrics) = figures.at(figure.key).number();
-  for (const auto& count : kCounts) count.value(metrics) = figures.at(count.key).count();
-  for (const PathKind kind : kKinds) {
-    const Source source = top.at("by_kind").at(std::string(path_kind_name(kind)));
-    KindTotals& totals = metrics.by_kind[static_cast<std::size_t>(kind)];
-    totals.count = source.at("count").count();
-    totals.time_s = source.at("time_s").number();
-    totals.distance_m = source.at("distance_m").number();
-    totals.energy = read_energy(source.at("energy"));
-  }
-  return metrics;
 }
 
 }  // namespace headland

@@ -17,10 +17,12 @@ namespace headland {
 struct RunReport {
   const Scenario& scenario;
   const Field& field;
+  const Vehicle& vehicle;
   const Path& path;
   const RunRecord& run;
   const Metrics& metrics;
   const Verdict& verdict;
+  const std::vector<std::string>& notes;  // what the user should know besides
 };
 
 // A place also has its longitude and latitude when the field is georeferenced. Numbers that are
@@ -30,8 +32,5 @@ nlohmann::ordered_json metrics_json(const RunReport& report, const std::string& 
 // The record's totals and peaks back from the file; samples, footprints and segments are in the
 // tables. Throws InputError naming the key.
 RunRecord read_run_totals(const std::filesystem::path& file);
-
-// The figures back from the file. Throws InputError naming the key.
-Metrics read_metrics(const std::filesystem::path& file);
 
 }  // namespace headland

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "evaluate/geojson.h"
+#include "evaluate/metrics.h"
+#include "evaluate/path_check.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -23,8 +26,8 @@ constexpr std::string_view kViolation = "violation";
 }
 
 // The value whose name is `name` among `values`; refuses any other.
-template <typename Kind, typename NameOf>
-Kind named(std::initializer_list<Kind> values, NameOf name_of, const std::string& name,
+template <typename Kind, std::size_t kCount, typename NameOf>
+Kind named(const std::array<Kind, kCount>& values, NameOf name_of, const std::string& name,
            const std::filesystem::path& file, std::size_t index) {
   std::string known;
   for (const Kind value : values) {
@@ -60,7 +63,8 @@ int manoeuvre_of(const GeoCollection& collection, std::size_t index,
                  const std::filesystem::path& file) {
   constexpr double kMost = 1e9;
   const double number = number_property(collection, index, "manoeuvre", file);
-  if (number >= 0.0 && number <= kMost) return static_cast<int>(number);
+  if (number >= 0.0 && number <= kMost && number == std::floor(number))
+    return static_cast<int>(number);
   refuse(file, index, fmt::format("manoeuvre {}", number), "a count from 0 is needed");
 }
 
@@ -88,14 +92,13 @@ PathSegment segment_of(const GeoCollection& collection, std::size_t index,
   const GeoFeature& feature = collection.features[index];
   if (feature.points_W.size() < 2) refuse(file, index, "", "a segment needs two points");
   PathSegment segment;
-  segment.kind = named({PathKind::kSwath, PathKind::kHeadlandPass, PathKind::kTurn,
-                        PathKind::kUTurn, PathKind::kTransit},
-                       path_kind_name, word_property(collection, index, "kind", file), file, index);
-  segment.gear = named({Gear::kForward, Gear::kReverse}, gear_name,
+  segment.kind = named(kEveryPathKind, path_kind_name,
+                       word_property(collection, index, "kind", file), file, index);
+  segment.gear = named(std::array{Gear::kForward, Gear::kReverse}, gear_name,
                        word_property(collection, index, "gear", file), file, index);
   const auto state = [](bool down) { return std::string_view(down ? "down" : "up"); };
-  segment.implement_down =
-      named({true, false}, state, word_property(collection, index, "implement", file), file, index);
+  segment.implement_down = named(std::array{true, false}, state,
+                                 word_property(collection, index, "implement", file), file, index);
   segment.manoeuvre = manoeuvre_of(collection, index, file);
   const std::vector<double> headings = numbers(feature, "heading_rad", file, index);
   const std::vector<double> curvatures = numbers(feature, "curvature_per_m", file, index);
@@ -123,33 +126,6 @@ std::string plan_geojson(const Plan& plan, const GeoFrame& frame) {
   return geojson_text(frame, collection);
 }
 
-Plan read_plan(const std::filesystem::path& file, const GeoFrame& frame) {
-  const GeoCollection collection = read_geojson(frame, file);
-  const auto about_error = [&](const std::string& key) {
-    return InputError(file.string(), "headland." + key, "", "is missing or of the wrong type");
-  };
-  const auto about_number = [&](const std::string& key) {
-    const Json value = collection.about.value(key, Json());
-    if (!value.is_number()) throw about_error(key);
-    return value.get<double>();
-  };
-  Plan plan;
-  const Json planner = collection.about.value("planner", Json());
-  if (!planner.is_string()) throw about_error("planner");
-  plan.planner = planner.get<std::string>();
-  plan.swath_direction_rad = about_number("swath_direction_rad");
-  plan.headland_width_m = about_number("headland_width_m");
-  plan.planned_length_m = about_number("planned_length_m");
-  for (std::size_t i = 0; i < collection.features.size(); ++i) {
-    Pass pass;
-    pass.kind = named({PassKind::kSwath, PassKind::kHeadlandPass}, pass_kind_name,
-                      word_property(collection, i, "kind", file), file, i);
-    pass.points_W = collection.features[i].points_W;
-    plan.passes.push_back(std::move(pass));
-  }
-  return plan;
-}
-
 std::string path_geojson(const Path& path, const GeoFrame& frame) {
   GeoCollection collection;
   collection.about["headings"] =
@@ -168,8 +144,8 @@ std::string path_geojson(const Path& path, const GeoFrame& frame) {
   return geojson_text(frame, collection);
 }
 
-Path read_path(const std::filesystem::path& file, const GeoFrame& frame) {
-  const GeoCollection collection = read_geojson(frame, file);
+Path read_path(const std::filesystem::path& file, const Field& field) {
+  const GeoCollection collection = read_geojson(field.frame, file);
   Path path;
   for (std::size_t i = 0; i < collection.features.size(); ++i) {
     if (word_property(collection, i, "kind", file) != kViolation) {
@@ -184,6 +160,7 @@ Path read_path(const std::filesystem::path& file, const GeoFrame& frame) {
     path.violations.push_back(std::move(violation));
   }
   if (path.segments.empty()) throw InputError(file.string(), "", "", "holds no path segment");
+  check_path(path, field, file);
   return path;
 }
 

@@ -6,23 +6,21 @@
 
 #include "planner/path.h"
 #include "planner/plan.h"
-#include "terrains/geo_frame.h"
+#include "terrains/field.h"
 
 namespace headland {
 
 // A LineString a pass with kind, order and length.
 std::string plan_geojson(const Plan& plan, const GeoFrame& frame);
 
-// Throws InputError naming the feature.
-Plan read_plan(const std::filesystem::path& file, const GeoFrame& frame);
-
 // A LineString a segment with kind, gear, implement, manoeuvre, length, and heading and curvature
 // at every point; a Point a violation. Read back, points are within 0.1 mm and headings and
 // curvatures within 1e-9 of what was written.
 std::string path_geojson(const Path& path, const GeoFrame& frame);
 
-// Throws InputError naming the feature for anything that does not make a path: an unknown kind or
-// gear, headings or curvatures that are not one a point, no segment at all.
-Path read_path(const std::filesystem::path& file, const GeoFrame& frame);
+// Throws InputError naming the feature for anything that does not make a path in this field: an
+// unknown kind or gear, headings or curvatures that are not one a point, no segment at all, and
+// what check_path refuses.
+Path read_path(const std::filesystem::path& file, const Field& field);
 
 }  // namespace headland

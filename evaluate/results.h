@@ -24,8 +24,13 @@ inline constexpr char kEnergyPicture[] = "energy.png";     // render/pictures.h
 // mixes two runs. `first` and what follows it in the list above go.
 void remove_results_from(const std::filesystem::path& folder, std::string_view first);
 
-// A run back from its tables and metrics.json, to the decimals written. Throws InputError: a file
-// that is missing or cannot be read, or a run that belongs to another path.
+// Throws InputError when a run's results could not be written to `folder` (which need not exist
+// yet): as check_output_folder does, and for a folder under the name of one of the files.
+void check_results_folder(const std::filesystem::path& folder);
+
+// A run back from its tables and metrics.json, to the decimals written. Throws InputError naming
+// file, line and column: a file that is missing or cannot be read, a table that is none, time or
+// travel running backwards, a place far from the path, a run that belongs to another path.
 RunRecord read_run(const std::filesystem::path& folder, const Path& path);
 
 }  // namespace headland

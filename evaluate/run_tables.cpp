@@ -3,30 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <functional>
 #include <iterator>
-#include <limits>
 #include <span>
 
-#include "evaluate/atomic_file.h"
-#include "terrains/input_error.h"
+#include "evaluate/number_table.h"
 
 namespace headland {
 namespace {
 
-// A column of numbers: one literal table serves writing and reading.
+// A column of numbers in [min, max]: one literal table serves writing and reading.
 template <typename Row>
 struct Column {
   std::string_view name;
   int decimals = 0;
   double& (*value)(Row&) = nullptr;
+  double min = -kMostInTable;
+  double max = kMostInTable;
 };
 
 constexpr Column<RunSample> kRunColumns[] = {
-    {"time_s", 4, [](RunSample& s) -> double& { return s.time_s; }},
-    {"travel_m", 3, [](RunSample& s) -> double& { return s.travel_m; }},
+    {"time_s", 4, [](RunSample& s) -> double& { return s.time_s; }, 0.0},
+    {"travel_m", 3, [](RunSample& s) -> double& { return s.travel_m; }, 0.0},
     {"x_m", 4, [](RunSample& s) -> double& { return s.p_WB.x(); }},
     {"y_m", 4, [](RunSample& s) -> double& { return s.p_WB.y(); }},
     {"z_m", 4, [](RunSample& s) -> double& { return s.p_WB.z(); }},
@@ -35,8 +33,9 @@ constexpr Column<RunSample> kRunColumns[] = {
     {"roll_rad", 5, [](RunSample& s) -> double& { return s.roll_rad; }},
     {"speed_mps", 4, [](RunSample& s) -> double& { return s.speed_mps; }},
     {"steer_rad", 5, [](RunSample& s) -> double& { return s.steer_rad; }},
-    {"slip", 4, [](RunSample& s) -> double& { return s.slip; }},
-    {"load_transfer_ratio", 4, [](RunSample& s) -> double& { return s.load_transfer_ratio; }},
+    {"slip", 4, [](RunSample& s) -> double& { return s.slip; }, 0.0, 1.0},
+    {"load_transfer_ratio", 4, [](RunSample& s) -> double& { return s.load_transfer_ratio; }, -1.0,
+     1.0},
     {"cross_track_error_m", 4, [](RunSample& s) -> double& { return s.cross_track_error_m; }},
     {"motor_torque_nm", 2, [](RunSample& s) -> double& { return s.motor_torque_nm; }},
     {"motor_power_w", 1, [](RunSample& s) -> double& { return s.motor_power_w; }},
@@ -60,14 +59,14 @@ constexpr Column<FootprintSample> kFootprintColumns[] = {
     {"left_y_m", 3, [](FootprintSample& s) -> double& { return s.left_W.y(); }},
     {"right_x_m", 3, [](FootprintSample& s) -> double& { return s.right_W.x(); }},
     {"right_y_m", 3, [](FootprintSample& s) -> double& { return s.right_W.y(); }},
-    {"time_s", 3, [](FootprintSample& s) -> double& { return s.time_s; }},
-    {"travel_m", 3, [](FootprintSample& s) -> double& { return s.travel_m; }},
+    {"time_s", 3, [](FootprintSample& s) -> double& { return s.time_s; }, 0.0},
+    {"travel_m", 3, [](FootprintSample& s) -> double& { return s.travel_m; }, 0.0},
 };
 
 constexpr Column<SegmentRecord> kSegmentColumns[] = {
-    {"start_time_s", 4, [](SegmentRecord& s) -> double& { return s.start_time_s; }},
-    {"duration_s", 4, [](SegmentRecord& s) -> double& { return s.duration_s; }},
-    {"distance_m", 4, [](SegmentRecord& s) -> double& { return s.distance_m; }},
+    {"start_time_s", 4, [](SegmentRecord& s) -> double& { return s.start_time_s; }, 0.0},
+    {"duration_s", 4, [](SegmentRecord& s) -> double& { return s.duration_s; }, 0.0},
+    {"distance_m", 4, [](SegmentRecord& s) -> double& { return s.distance_m; }, 0.0},
     {"battery_j", 3, [](SegmentRecord& s) -> double& { return s.energy.battery_j; }},
 };
 
@@ -85,6 +84,13 @@ void append_row(Text& text, std::span<const Column<Row>> columns, Row row) {
     if (&column != columns.data()) text.push_back(',');
     append_number(text, column.value(row), column.decimals);
   }
+}
+
+// The step in which a run diverged is no measurement.
+template <typename Row>
+bool finite(std::span<const Column<Row>> columns, Row row) {
+  return std::ranges::all_of(
+      columns, [&](const Column<Row>& column) { return std::isfinite(column.value(row)); });
 }
 
 template <typename Row>
@@ -107,66 +113,16 @@ std::vector<std::string> cat(std::vector<std::string> names, const std::vector<s
   return names;
 }
 
-std::vector<std::string_view> split(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    cells.push_back(line.substr(0, comma));
-    if (comma == std::string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
+template <typename Row>
+std::vector<NumberColumn> number_columns(std::span<const Column<Row>> columns) {
+  std::vector<NumberColumn> read;
+  for (const Column<Row>& column : columns) {
+    read.push_back({std::string(column.name), column.min, column.max});
   }
+  return read;
 }
 
-double cell_number(std::string_view cell, const std::string& file, int line,
-                   const std::string& column) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error == std::errc() && end == cell.data() + cell.size()) return value;
-  throw InputError(file, fmt::format("line {}", line), std::string(cell),
-                   fmt::format("a number is needed in column '{}'", column));
-}
-
-// Hands `row` the numbers of the columns named, in their order, line by line.
-void read_rows(const std::filesystem::path& file, const std::vector<std::string>& names,
-               const std::function<void(std::span<const double>)>& row) {
-  const std::string text = read_text(file);
-  std::string_view rest = text;
-  std::vector<std::size_t> indices;
-  std::vector<double> values(names.size());
-  std::size_t width = 0;
-  for (int number = 1; !rest.empty(); ++number) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::vector<std::string_view> cells = split(rest.substr(0, end));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (number == 1) {
-      for (const std::string& name : names) {
-        const auto found = std::find(cells.begin(), cells.end(), name);
-        if (found == cells.end()) {
-          throw InputError(file.string(), "line 1", name, "the column is missing");
-        }
-        indices.push_back(static_cast<std::size_t>(found - cells.begin()));
-      }
-      width = cells.size();
-      continue;
-    }
-    if (cells.size() != width) {
-      throw InputError(file.string(), fmt::format("line {}", number),
-                       fmt::format("{} cells", cells.size()),
-                       fmt::format("the header has {} columns", width));
-    }
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      values[i] = cell_number(cells[indices[i]], file.string(), number, names[i]);
-    }
-    row(values);
-  }
-  if (width == 0) throw InputError(file.string(), "line 1", "", "the header line is missing");
-}
-
-// A segment's index; -1, which no path has, for what is no index.
-int segment_index(double value) {
-  const bool whole = value >= 0.0 && value <= std::numeric_limits<int>::max();
-  return whole ? static_cast<int>(value) : -1;
-}
+const NumberColumn kSegmentIndex{"segment", 0.0, kMostInTable, true};
 
 template <typename Row>
 Row row_of(std::span<const Column<Row>> columns, std::span<const double> values) {
@@ -198,6 +154,7 @@ std::string run_csv(const std::vector<RunSample>& samples, const GeoFrame& frame
   append(text, fmt::format("{}", fmt::join(run_columns(), ",")));
   append(text, frame.georeferenced ? ",longitude_deg,latitude_deg\n" : "\n");
   for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!finite<RunSample>(kRunColumns, samples[i])) continue;
     append_row<RunSample>(text, kRunColumns, samples[i]);
     append(text, fmt::format(",{},{:d}", samples[i].segment, samples[i].implement_down));
     if (frame.georeferenced) {
@@ -213,9 +170,11 @@ std::string run_csv(const std::vector<RunSample>& samples, const GeoFrame& frame
 
 std::vector<RunSample> read_run_csv(const std::filesystem::path& file) {
   std::vector<RunSample> samples;
-  read_rows(file, run_columns(), [&](std::span<const double> values) {
+  std::vector<NumberColumn> columns = number_columns<RunSample>(kRunColumns);
+  columns.insert(columns.end(), {kSegmentIndex, {"implement_down", 0.0, 1.0, true}});
+  read_number_table(file, columns, [&](std::span<const double> values) {
     RunSample& sample = samples.emplace_back(row_of<RunSample>(kRunColumns, values));
-    sample.segment = segment_index(values[std::size(kRunColumns)]);
+    sample.segment = static_cast<int>(values[std::size(kRunColumns)]);
     sample.implement_down = values[std::size(kRunColumns) + 1] != 0.0;
   });
   return samples;
@@ -226,6 +185,7 @@ std::string footprint_csv(const std::vector<FootprintSample>& footprints) {
   append(text, fmt::format("{},starts_strip\n",
                            fmt::join(names_of<FootprintSample>(kFootprintColumns), ",")));
   for (const FootprintSample& footprint : footprints) {
+    if (!finite<FootprintSample>(kFootprintColumns, footprint)) continue;
     append_row<FootprintSample>(text, kFootprintColumns, footprint);
     append(text, footprint.starts_strip ? ",1\n" : ",0\n");
   }
@@ -234,8 +194,9 @@ std::string footprint_csv(const std::vector<FootprintSample>& footprints) {
 
 std::vector<FootprintSample> read_footprint_csv(const std::filesystem::path& file) {
   std::vector<FootprintSample> footprints;
-  const auto names = cat(names_of<FootprintSample>(kFootprintColumns), {"starts_strip"});
-  read_rows(file, names, [&](std::span<const double> values) {
+  std::vector<NumberColumn> columns = number_columns<FootprintSample>(kFootprintColumns);
+  columns.push_back({"starts_strip", 0.0, 1.0, true});
+  read_number_table(file, columns, [&](std::span<const double> values) {
     footprints.push_back(row_of<FootprintSample>(kFootprintColumns, values));
     footprints.back().starts_strip = values.back() != 0.0;
   });
@@ -269,15 +230,18 @@ std::string segments_csv(const Path& path, const std::vector<SegmentRecord>& seg
   return fmt::to_string(text);
 }
 
-std::vector<SegmentRecord> read_segments_csv(const std::filesystem::path& file) {
+std::vector<SegmentRecord> read_segments_csv(const std::filesystem::path& file, bool diverged) {
   std::vector<SegmentRecord> segments;
-  const auto names =
-      cat(cat(names_of<SegmentRecord>(kSegmentColumns), energy_keys()), {"segment", "track_rms_m"});
-  read_rows(file, names, [&](std::span<const double> values) {
+  std::vector<NumberColumn> columns = number_columns<SegmentRecord>(kSegmentColumns);
+  for (const std::string& key : energy_keys()) columns.push_back({key});
+  columns.push_back(kSegmentIndex);
+  columns.push_back({"track_rms_m", 0.0, kMostInTable});
+  for (NumberColumn& column : columns) column.any = diverged && !column.whole;
+  read_number_table(file, columns, [&](std::span<const double> values) {
     SegmentRecord& record = segments.emplace_back(row_of<SegmentRecord>(kSegmentColumns, values));
     std::copy_n(values.begin() + std::size(kSegmentColumns), kEnergyCauses,
                 record.energy.cause_j.begin());
-    record.segment = segment_index(values[values.size() - 2]);
+    record.segment = static_cast<int>(values[values.size() - 2]);
     record.cross_track_sum_m3 = values.back() * values.back() * record.distance_m;
   });
   return segments;

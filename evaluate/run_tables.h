@@ -23,10 +23,13 @@ std::string footprint_csv(const std::vector<FootprintSample>& footprints);
 std::string segments_csv(const Path& path, const std::vector<SegmentRecord>& segments);
 
 // The same back, to the decimals written. Columns that are not known are passed over. Throw
-// InputError with the line: a missing file or column, a row of another length, no number.
+// InputError with line, column and value: a missing file or column, a row of another length, no
+// finite number in the column's range. Of a run that diverged the segments may hold NaN; its rows
+// that are not finite are not written to the other two.
 std::vector<RunSample> read_run_csv(const std::filesystem::path& file);
 std::vector<FootprintSample> read_footprint_csv(const std::filesystem::path& file);
-std::vector<SegmentRecord> read_segments_csv(const std::filesystem::path& file);
+std::vector<SegmentRecord> read_segments_csv(const std::filesystem::path& file,
+                                             bool diverged = false);
 
 // Key of an energy cause in files: "rolling_resistance_j".
 std::string energy_key(EnergyCause cause);

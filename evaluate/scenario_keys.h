@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "evaluate/scenario.h"
+#include "evaluate/yaml_section.h"
 
 namespace headland {
 
 // A number in a scenario: `path` is its key with the sections before it, the key tells the unit.
 struct NumberKey {
   std::string_view path;
-  double min = 0.0;  // inclusive
-  double max = 0.0;
+  NumberRange range;
   double& (*value)(Scenario&);
 };
 

@@ -21,7 +21,7 @@ void read_numbers(const YamlSection& section, Scenario& scenario) {
   for (const NumberKey& key : number_keys()) {
     if (!key.path.starts_with(prefix)) continue;
     const std::string_view name = key.path.substr(prefix.size());
-    if (const auto value = read_number(section, name, key.min, key.max)) {
+    if (const auto value = read_number(section, name, key.range)) {
       key.value(scenario) = *value;
     }
   }
@@ -36,6 +36,13 @@ std::optional<YamlSection> numbers_section(const YamlSection& top, std::string_v
     read_numbers(*section, scenario);
   }
   return section;
+}
+
+std::string read_crs(const YamlSection& section) {
+  const std::string crs = read_word(section, "crs").value_or("");
+  if (crs.empty() || is_known_crs(crs)) return crs;
+  throw InputError(section.source, place_of(section, "crs"), crs,
+                   "unknown CRS; give an authority code such as EPSG:32615, WKT or PROJ");
 }
 
 fs::path read_file_name(const YamlSection& section, std::string_view key, const fs::path& folder) {
@@ -69,8 +76,10 @@ Obstacle read_obstacle(const YamlSection& section) {
     throw InputError(section.source, place_of(section, "at"), "", "the key is missing: [x, y]");
   }
   obstacle.p_W = *at;
-  obstacle.radius_m = read_number(section, "radius_m", 0.01, 50.0).value_or(obstacle.radius_m);
-  obstacle.height_m = read_number(section, "height_m", 0.01, 100.0).value_or(obstacle.height_m);
+  obstacle.radius_m = read_number(section, "radius_m", {kMinObstacle_m, kMaxObstacleRadius_m})
+                          .value_or(obstacle.radius_m);
+  obstacle.height_m = read_number(section, "height_m", {kMinObstacle_m, kMaxObstacleHeight_m})
+                          .value_or(obstacle.height_m);
   return obstacle;
 }
 
@@ -83,7 +92,7 @@ FieldSource read_field_source(const YamlSection& top, const fs::path& folder) {
   FieldSource field;
   field.file = read_file_name(*section, "file", folder);
   field.layer = read_word(*section, "layer").value_or("");
-  field.crs = read_word(*section, "crs").value_or("");
+  field.crs = read_crs(*section);
   field.boundary = read_points(*section, "boundary").value_or(Ring{});
   field.holes = read_point_lists(*section, "holes").value_or(std::vector<Ring>{});
   field.entry = read_point(*section, "entry");
@@ -114,12 +123,12 @@ Parameters read_parameters(const YamlSection& section, std::span<const Parameter
   Parameters given;
   for (const ParameterSpec& spec : specs) {
     const std::string name(spec.name);
-    const auto text = read_word(section, name);
+    const auto text = read_word(section, name, allowed_values(spec));
     if (!text) continue;
     const auto value = parse_number(*text);
     // A word where a number belongs (or NaN) is refused by resolve_parameters, which knows.
     const ParameterValue parameter =
-        value && spec.choices.empty() ? ParameterValue(*value) : ParameterValue(*text);
+        value && takes_number(spec) ? ParameterValue(*value) : ParameterValue(*text);
     const std::string place = place_of(section, name);
     const std::string where = place.substr(0, place.size() - name.size() - 1);
     resolve_parameters(specs, {{name, parameter}}, section.source, where);
@@ -146,7 +155,7 @@ void read_terrain_source(const YamlSection& top, const fs::path& folder, Scenari
       read_section(top, "terrain")
           .value_or(YamlSection{top.source, "terrain", YAML::Node(YAML::NodeType::Map)});
   terrain.file = read_file_name(section, "file", folder);
-  terrain.crs = read_word(section, "crs").value_or("");
+  terrain.crs = read_crs(section);
   const auto generator = read_word(section, "generator");
   if (generator && !terrain.file.empty()) {
     throw InputError(top.source, place_of(section, "generator"), *generator,
@@ -188,11 +197,20 @@ std::string read_vehicle(const YamlSection& top, const fs::path& folder) {
   if (!name) {
     throw InputError(top.source, "vehicle", "", "the key is missing: a folder or one of " + list);
   }
-  if (name->find('/') != std::string::npos) return (folder / *name).lexically_normal().string();
-  if (std::find(known.begin(), known.end(), *name) == known.end()) {
+  if (name->find('/') != std::string::npos) {
+    const fs::path own = (folder / *name).lexically_normal();
+    std::error_code ignored;
+    if (fs::exists(own / "vehicle.yaml", ignored)) return own.string();
     throw InputError(top.source, place_of(top, "vehicle"), *name,
-                     fmt::format("unknown vehicle; did you mean '{}'? (known: {}, or a folder)",
-                                 nearest_name(*name, known), list));
+                     fmt::format("there is no vehicle.yaml in {}; a vehicle is a folder with one, "
+                                 "or one of {}",
+                                 own.string(), list));
+  }
+  if (std::find(known.begin(), known.end(), *name) == known.end()) {
+    throw InputError(
+        top.source, place_of(top, "vehicle"), *name,
+        fmt::format("unknown vehicle; did you mean '{}'? (known: {}; a folder is written with a /)",
+                    nearest_name(*name, known), list));
   }
   return *name;
 }
@@ -225,8 +243,8 @@ void read_verdict(const YamlSection& top, Scenario& scenario) {
     if (!section) continue;
     refuse_unknown_keys(*section, {"warn", "fail"});
     Limit& limit = key.value(scenario);
-    limit.warn = read_number(*section, "warn", 0.0, key.max).value_or(limit.warn);
-    limit.fail = read_number(*section, "fail", 0.0, key.max).value_or(limit.fail);
+    limit.warn = read_number(*section, "warn", {0.0, key.max}).value_or(limit.warn);
+    limit.fail = read_number(*section, "fail", {0.0, key.max}).value_or(limit.fail);
     if (key.more_is_better ? limit.warn < limit.fail : limit.warn > limit.fail) {
       throw InputError(top.source, place_of(*verdict, name),
                        fmt::format("warn {}, fail {}", limit.warn, limit.fail),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evaluate/duration_text.h"
 #include "evaluate/metrics.h"
 #include "planner/path.h"
 #include "sim/run_record.h"
@@ -49,13 +50,6 @@ int telling_digits(double value, double limit, Unit unit) {
   return digits;
 }
 
-std::string clock_time(double time_s) {
-  const auto seconds = std::lround(time_s);
-  if (seconds < 60) return fmt::format("{} s", seconds);
-  if (seconds < 3600) return fmt::format("{} min {} s", seconds / 60, seconds % 60);
-  return fmt::format("{} h {} min {} s", seconds / 3600, seconds / 60 % 60, seconds % 60);
-}
-
 Grade grade_of(double value, const Limit& limit, Better better) {
   if (!std::isfinite(value)) return Grade::kFail;
   const auto beyond = [&](double bound) {
@@ -80,7 +74,7 @@ Reason reason_of(const Check& check) {
     reason.p_W = check.peak->p_W;
     reason.time_s = check.peak->time_s;
     place = fmt::format(" at x {:.1f} m, y {:.1f} m after {}", check.peak->p_W.x(),
-                        check.peak->p_W.y(), clock_time(check.peak->time_s));
+                        check.peak->p_W.y(), duration_text(check.peak->time_s));
   }
   const int digits = telling_digits(check.value, reason.limit, check.unit);
   reason.text = fmt::format("{} {} {} (limit {}){}: {}", check.subject,
@@ -131,7 +125,7 @@ Reason outcome_reason(const RunRecord& run) {
   reason.grade = Grade::kFail;
   reason.figure = "outcome";
   reason.text = fmt::format("The run did not finish: {} after {}{}{}", outcome_name(run.outcome),
-                            clock_time(run.duration_s), run.outcome_detail.empty() ? "" : ": ",
+                            duration_text(run.duration_s), run.outcome_detail.empty() ? "" : ": ",
                             run.outcome_detail);
   reason.time_s = run.duration_s;
   if (!run.samples.empty()) reason.p_W = run.samples.back().p_WB.head<2>();

@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "evaluate/atomic_file.h"
 #include "terrains/input_error.h"
+#include "terrains/input_file.h"
 
 namespace headland {
 namespace {
@@ -20,13 +20,25 @@ std::string joined(const std::string& section, std::string_view key) {
 
 std::string line_of(const YAML::Node& node) { return fmt::format("line {}", node.Mark().line + 1); }
 
-// What stood there, short enough for a message.
+// The scalar that stood there, or a short list of scalars; empty for anything else.
 std::string shown(const YAML::Node& node) {
-  if (node.IsNull()) return "nothing";
-  if (node.IsMap()) return "a mapping";
-  if (node.IsSequence()) return "a list";
-  const std::string& text = node.Scalar();
-  return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+  constexpr std::size_t kShortList = 3;
+  if (node.IsScalar()) return node.Scalar();
+  if (!node.IsSequence() || node.size() == 0 || node.size() > kShortList) return "";
+  std::string list;
+  for (const YAML::Node& item : node) {
+    if (!item.IsScalar()) return "";
+    list += (list.empty() ? "[" : ", ") + item.Scalar();
+  }
+  return list + "]";
+}
+
+std::string what_is_wanted(const YAML::Node& node, const std::string& wanted) {
+  if (node.IsMap()) return wanted + " is needed, not a mapping";
+  if (node.IsSequence()) return wanted + " is needed, not a list";
+  if (node.IsNull()) return wanted + " is needed, there is no value";
+  if (node.Scalar().empty()) return wanted + " is needed, not an empty text";
+  return wanted + " is needed";
 }
 
 // Lookup that does not create the key, in a node that is known to be a mapping.
@@ -35,26 +47,33 @@ YAML::Node find(const YamlSection& section, std::string_view key) {
   return mapping[std::string(key)];
 }
 
+// `item` says which part of the key's value `node` is: " point 3".
 [[noreturn]] void refuse(const YamlSection& section, std::string_view key, const YAML::Node& node,
-                         const std::string& allowed) {
-  throw InputError(section.source, line_of(node) + ": " + joined(section.path, key), shown(node),
-                   allowed);
+                         const std::string& wanted, const std::string& item = "") {
+  // A value that is not there has no line of its own.
+  const std::string place =
+      node.IsNull() ? place_of(section, key) : line_of(node) + ": " + joined(section.path, key);
+  throw InputError(section.source, place + item, shown(node), what_is_wanted(node, wanted));
 }
 
-Eigen::Vector2d point_of(const YamlSection& section, std::string_view key, const YAML::Node& node) {
+Eigen::Vector2d point_of(const YamlSection& section, std::string_view key, const YAML::Node& node,
+                         const std::string& item = "") {
   if (node.IsSequence() && node.size() == 2 && node[0].IsScalar() && node[1].IsScalar()) {
     const std::optional<double> x = parse_number(node[0].Scalar());
     const std::optional<double> y = parse_number(node[1].Scalar());
     if (x && y) return {*x, *y};
   }
-  refuse(section, key, node, "a point [x, y] of two finite numbers is needed");
+  refuse(section, key, node, "a point [x, y] of two finite numbers", item);
 }
 
 std::vector<Eigen::Vector2d> points_of(const YamlSection& section, std::string_view key,
-                                       const YAML::Node& node) {
-  if (!node.IsSequence()) refuse(section, key, node, "a list of points [x, y] is needed");
+                                       const YAML::Node& node, const std::string& item = "") {
+  if (!node.IsSequence()) refuse(section, key, node, "a list of points [x, y]", item);
   std::vector<Eigen::Vector2d> points;
-  for (const YAML::Node& point : node) points.push_back(point_of(section, key, point));
+  for (const YAML::Node& point : node) {
+    points.push_back(
+        point_of(section, key, point, fmt::format("{} point {}", item, points.size() + 1)));
+  }
   return points;
 }
 
@@ -73,14 +92,20 @@ std::optional<double> parse_number(std::string_view text) {
 YamlSection read_yaml(const std::filesystem::path& file) {
   YamlSection top{file.string(), "", {}};
   try {
-    top.node = YAML::Load(read_text(file));
+    std::vector<YAML::Node> documents = YAML::LoadAll(read_text(file));
+    std::erase_if(documents, [](const YAML::Node& document) { return document.IsNull(); });
+    if (documents.size() > 1) {
+      throw InputError(file.string(), line_of(documents[1]), "",
+                       "a second YAML document begins here; one file holds one");
+    }
+    if (!documents.empty()) top.node = documents.front();
   } catch (const YAML::Exception& error) {
     throw InputError(file.string(), fmt::format("line {}", error.mark.line + 1), "",
                      "malformed YAML: " + error.msg);
   }
   if (!top.node.IsMap()) {
     throw InputError(file.string(), "line 1", shown(top.node),
-                     "a mapping of keys to values is needed");
+                     what_is_wanted(top.node, "a mapping of keys to values"));
   }
   return top;
 }
@@ -88,7 +113,12 @@ YamlSection read_yaml(const std::filesystem::path& file) {
 void refuse_unknown_keys(const YamlSection& section, const std::vector<std::string>& known) {
   std::set<std::string> seen;
   for (const auto& entry : section.node) {
-    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
+    if (!entry.first.IsScalar()) {
+      throw InputError(section.source, line_of(entry.first), "",
+                       "a key that is a word is needed" +
+                           (section.path.empty() ? "" : " in section " + section.path));
+    }
+    const std::string key = entry.first.Scalar();
     const std::string place = line_of(entry.first) + ": " + joined(section.path, key);
     if (std::find(known.begin(), known.end(), key) == known.end()) {
       throw InputError(section.source, place, "",
@@ -104,7 +134,7 @@ void refuse_unknown_keys(const YamlSection& section, const std::vector<std::stri
 std::string place_of(const YamlSection& section, std::string_view key) {
   for (const auto& entry : section.node) {
     if (entry.first.IsScalar() && entry.first.Scalar() == key) {
-      return line_of(entry.second) + ": " + joined(section.path, key);
+      return line_of(entry.first) + ": " + joined(section.path, key);
     }
   }
   return line_of(section.node) + ": " + joined(section.path, key);
@@ -113,24 +143,29 @@ std::string place_of(const YamlSection& section, std::string_view key) {
 std::optional<YamlSection> read_section(const YamlSection& section, std::string_view key) {
   const YAML::Node node = find(section, key);
   if (!node.IsDefined()) return std::nullopt;
-  if (!node.IsMap()) refuse(section, key, node, "a section (a mapping of keys) is needed");
+  if (!node.IsMap()) refuse(section, key, node, "a section of keys");
   return YamlSection{section.source, joined(section.path, key), node};
 }
 
-std::optional<std::string> read_word(const YamlSection& section, std::string_view key) {
+std::optional<std::string> read_word(const YamlSection& section, std::string_view key,
+                                     const std::string& wanted) {
   const YAML::Node node = find(section, key);
   if (!node.IsDefined()) return std::nullopt;
-  if (!node.IsScalar() || node.Scalar().empty()) refuse(section, key, node, "a word is needed");
+  if (!node.IsScalar() || node.Scalar().empty()) refuse(section, key, node, wanted);
   return node.Scalar();
 }
 
-std::optional<double> read_number(const YamlSection& section, std::string_view key, double min,
-                                  double max) {
+std::optional<double> read_number(const YamlSection& section, std::string_view key,
+                                  const NumberRange& range) {
   const YAML::Node node = find(section, key);
   if (!node.IsDefined()) return std::nullopt;
   const std::optional<double> value = node.IsScalar() ? parse_number(node.Scalar()) : std::nullopt;
-  if (!value || *value < min || *value > max) {
-    refuse(section, key, node, fmt::format("a number from {} to {} is needed", min, max));
+  const bool fits =
+      value && ((*value >= range.min && *value <= range.max) || (range.or_zero && *value == 0.0));
+  if (!fits) {
+    refuse(section, key, node,
+           fmt::format("{}a number from {} to {}", range.or_zero ? "0 or " : "", range.min,
+                       range.max));
   }
   return value;
 }
@@ -144,7 +179,7 @@ std::optional<std::uint64_t> read_whole_number(const YamlSection& section, std::
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc() && end == text.data() + text.size()) return value;
   }
-  refuse(section, key, node, "a whole number from 0 to 18446744073709551615 is needed");
+  refuse(section, key, node, "a whole number from 0 to 18446744073709551615");
 }
 
 std::optional<bool> read_flag(const YamlSection& section, std::string_view key) {
@@ -152,7 +187,7 @@ std::optional<bool> read_flag(const YamlSection& section, std::string_view key) 
   if (!node.IsDefined()) return std::nullopt;
   if (node.IsScalar() && node.Scalar() == "true") return true;
   if (node.IsScalar() && node.Scalar() == "false") return false;
-  refuse(section, key, node, "true or false is needed");
+  refuse(section, key, node, "true or false");
 }
 
 std::optional<Eigen::Vector2d> read_point(const YamlSection& section, std::string_view key) {
@@ -172,9 +207,11 @@ std::optional<std::vector<std::vector<Eigen::Vector2d>>> read_point_lists(
     const YamlSection& section, std::string_view key) {
   const YAML::Node node = find(section, key);
   if (!node.IsDefined()) return std::nullopt;
-  if (!node.IsSequence()) refuse(section, key, node, "a list of lists of points is needed");
+  if (!node.IsSequence()) refuse(section, key, node, "a list of lists of points [x, y]");
   std::vector<std::vector<Eigen::Vector2d>> lists;
-  for (const YAML::Node& list : node) lists.push_back(points_of(section, key, list));
+  for (const YAML::Node& list : node) {
+    lists.push_back(points_of(section, key, list, fmt::format(" {}", lists.size() + 1)));
+  }
   return lists;
 }
 
@@ -182,10 +219,10 @@ std::optional<std::vector<YamlSection>> read_sections(const YamlSection& section
                                                       std::string_view key) {
   const YAML::Node node = find(section, key);
   if (!node.IsDefined()) return std::nullopt;
-  if (!node.IsSequence()) refuse(section, key, node, "a list of mappings is needed");
+  if (!node.IsSequence()) refuse(section, key, node, "a list of mappings");
   std::vector<YamlSection> sections;
   for (const YAML::Node& item : node) {
-    if (!item.IsMap()) refuse(section, key, item, "a mapping of keys to values is needed");
+    if (!item.IsMap()) refuse(section, key, item, "a mapping of keys to values");
     sections.push_back({section.source, joined(section.path, key), item});
   }
   return sections;

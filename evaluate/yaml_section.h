@@ -20,7 +20,8 @@ struct YamlSection {
   YAML::Node node;     // a mapping
 };
 
-// The file's top mapping. Throws for a missing file, malformed YAML, anything but one mapping.
+// The file's top mapping. Throws for a missing file, malformed YAML, a second document, anything
+// but one mapping.
 YamlSection read_yaml(const std::filesystem::path& file);
 
 // Throws for a key that is not in `known` (says the nearest one) and for a key given twice.
@@ -29,11 +30,19 @@ void refuse_unknown_keys(const YamlSection& section, const std::vector<std::stri
 // "line N: section.key"; the section's own line when the key is absent.
 std::string place_of(const YamlSection& section, std::string_view key);
 
-// Values of a key; nullopt when the key is absent.
+// Numbers in [min, max] and, where `or_zero`, 0, which then stands for a default.
+struct NumberRange {
+  double min = 0.0;
+  double max = 0.0;
+  bool or_zero = false;
+};
+
+// Values of a key; nullopt when the key is absent. `wanted` is for the message on what is no text.
 std::optional<YamlSection> read_section(const YamlSection& section, std::string_view key);
-std::optional<std::string> read_word(const YamlSection& section, std::string_view key);
-std::optional<double> read_number(const YamlSection& section, std::string_view key, double min,
-                                  double max);
+std::optional<std::string> read_word(const YamlSection& section, std::string_view key,
+                                     const std::string& wanted = "a word");
+std::optional<double> read_number(const YamlSection& section, std::string_view key,
+                                  const NumberRange& range);
 std::optional<std::uint64_t> read_whole_number(const YamlSection& section, std::string_view key);
 std::optional<bool> read_flag(const YamlSection& section, std::string_view key);
 std::optional<Eigen::Vector2d> read_point(const YamlSection& section, std::string_view key);

@@ -1,8 +1,8 @@
-// A picture in memory, and its PNG file.
+// A picture in memory, and its PNG.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
+#include <string>
 #include <vector>
 
 namespace headland {
@@ -14,10 +14,7 @@ struct Image {
   std::vector<std::uint8_t> rgba;
 };
 
-// Writes a PNG to a temporary name and renames it. Throws InputError when it cannot be written.
-void write_png(const Image& image, const std::filesystem::path& file);
-
-// Reads any PNG as RGBA. Throws InputError for a missing file or one that is not a PNG.
-Image read_png(const std::filesystem::path& file);
+// The bytes of a PNG file. Throws InputError when libpng cannot make one.
+std::string png_of(const Image& image);
 
 }  // namespace headland

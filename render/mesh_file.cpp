@@ -3,6 +3,7 @@
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "terrains/input_error.h"
+#include "terrains/input_file.h"
 
 namespace headland {
 namespace {
@@ -41,6 +43,7 @@ void append(Mesh& mesh, const aiMesh& part, Rgba colour) {
 }  // namespace
 
 Mesh read_mesh(const std::filesystem::path& file) {
+  require_file(file);
   Assimp::Importer importer;
   // Points and lines have no surface to draw.
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
@@ -56,6 +59,13 @@ Mesh read_mesh(const std::filesystem::path& file) {
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
     const aiMesh& part = *scene->mMeshes[i];
     append(mesh, part, diffuse_colour(*scene->mMaterials[part.mMaterialIndex]));
+  }
+  for (const MeshVertex& vertex : mesh.vertices) {
+    if (vertex.p.allFinite() && vertex.p.norm() <= kMaxMesh_m) continue;
+    throw InputError(
+        file.string(), "",
+        fmt::format("{:g}, {:g}, {:g}", vertex.p.x(), vertex.p.y(), vertex.p.z()),
+        fmt::format("vertices within {} m of the origin are needed, in metres", kMaxMesh_m));
   }
   if (mesh.indices.empty()) throw InputError(file.string(), "", "", "the mesh has no triangles");
   return mesh;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "evaluate/duration_text.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -30,12 +31,6 @@ std::string fitted(Typeface& typeface, std::string_view text, TextStyle style, d
     if (!out.empty()) out.pop_back();
   }
   return out + "…";
-}
-
-std::string duration_text(double seconds) {
-  const long minutes = std::lround(seconds / 60.0);
-  if (minutes < 60) return fmt::format("{} min", minutes);
-  return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
 }
 
 }  // namespace

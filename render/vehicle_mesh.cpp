@@ -137,7 +137,7 @@ void append_implement(Mesh& mesh, const Vehicle& vehicle, bool down) {
 
 }  // namespace
 
-VehicleMesh vehicle_mesh(const Vehicle& vehicle, const RunSample& sample) {
+VehicleMesh body_mesh(const Vehicle& vehicle) {
   VehicleMesh out;
   if (vehicle.mesh_file.empty()) {
     out.note = "no mesh: plain box";
@@ -150,6 +150,11 @@ VehicleMesh vehicle_mesh(const Vehicle& vehicle, const RunSample& sample) {
       out.mesh = plain_body(vehicle.body);
     }
   }
+  return out;
+}
+
+VehicleMesh vehicle_mesh(const Vehicle& vehicle, const RunSample& sample) {
+  VehicleMesh out = body_mesh(vehicle);
   append_wheels(out.mesh, vehicle, sample);
   append_implement(out.mesh, vehicle, sample.implement_down);
   return out;

@@ -16,8 +16,11 @@ struct VehicleMesh {
   std::string note;  // why the body is a plain box; empty when it is not
 };
 
-// Body from the vehicle's mesh file (a plain box of the hull's size when there is none or it
-// cannot be read), wheels turned and steered, implement lowered or raised as in the sample.
+// The body alone: from the vehicle's mesh file, or a plain box of the hull's size when there is
+// none or it cannot be read.
+VehicleMesh body_mesh(const Vehicle& vehicle);
+
+// The body, wheels turned and steered, implement lowered or raised as in the sample.
 VehicleMesh vehicle_mesh(const Vehicle& vehicle, const RunSample& sample);
 
 // Place and attitude of B in D. The attitude follows the stretched relief.

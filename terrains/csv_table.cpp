@@ -6,10 +6,11 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <sstream>
 #include <string_view>
 
 #include "terrains/input_error.h"
+#include "terrains/input_file.h"
 
 namespace headland {
 namespace {
@@ -78,11 +79,7 @@ std::string lower(std::string text) {
 
 CsvTable read_csv(const std::filesystem::path& path) {
   const std::string file = path.string();
-  if (!std::filesystem::exists(path)) throw InputError(file, "", "", "no such file");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream.good() || !std::filesystem::is_regular_file(path)) {
-    throw InputError(file, "", "", "cannot be read; check that it is a file and its permissions");
-  }
+  std::istringstream stream(read_text(path));
   CsvTable table;
   std::string text;
   for (std::size_t line = 1; std::getline(stream, text); ++line) {

@@ -34,11 +34,26 @@ void merge_repeated_points(Ring& ring) {
   while (ring.size() > 1 && same(ring.front(), ring.back())) ring.pop_back();
 }
 
+// Whether no point is further than kSamePlace_m from one line.
+bool on_one_line(const Ring& ring) {
+  const auto far = std::ranges::max_element(
+      ring, {}, [&](const Eigen::Vector2d& p_W) { return (p_W - ring.front()).squaredNorm(); });
+  const Eigen::Vector2d along = (*far - ring.front()).normalized();
+  return std::ranges::all_of(ring, [&](const Eigen::Vector2d& p_W) {
+    const Eigen::Vector2d to = p_W - ring.front();
+    return std::abs(along.x() * to.y() - along.y() * to.x()) <= kSamePlace_m;
+  });
+}
+
 void require_area(const Field& field, const std::string& source, const std::string& where,
                   const Ring& ring) {
   if (ring.size() < 3) {
     throw InputError(source, where, fmt::format("{} points", ring.size()),
                      "bounds no area; give at least three different points");
+  }
+  if (on_one_line(ring)) {
+    throw InputError(source, where, fmt::format("{} points", ring.size()),
+                     "the points lie on one line and bound no area");
   }
   if (const std::optional<RingFault> fault = ring_fault(ring)) {
     refuse(field, source, where, fault->p_W, fault->reason);
@@ -93,6 +108,13 @@ void check_holes(const Field& field, const std::string& source) {
   }
 }
 
+void require_size(const std::string& source, const std::string& where, double size_m,
+                  double most_m) {
+  if (size_m >= kMinObstacle_m && size_m <= most_m) return;
+  throw InputError(source, where, fmt::format("{}", size_m),
+                   fmt::format("from {} to {} m", kMinObstacle_m, most_m));
+}
+
 void check_obstacles(const Field& field, const std::string& source) {
   Field shell;
   shell.boundary = field.boundary;
@@ -100,14 +122,8 @@ void check_obstacles(const Field& field, const std::string& source) {
     const Obstacle& obstacle = field.obstacles[i];
     const std::string where = fmt::format("obstacles[{}]", i);
     require_finite(source, where, {obstacle.p_W});
-    if (!(obstacle.radius_m > 0.0 && obstacle.radius_m <= kMaxObstacle_m)) {
-      throw InputError(source, where + ".radius_m", fmt::format("{}", obstacle.radius_m),
-                       fmt::format("above 0 and at most {} m", kMaxObstacle_m));
-    }
-    if (!(obstacle.height_m > 0.0 && obstacle.height_m <= kMaxObstacle_m)) {
-      throw InputError(source, where + ".height_m", fmt::format("{}", obstacle.height_m),
-                       fmt::format("above 0 and at most {} m", kMaxObstacle_m));
-    }
+    require_size(source, where + ".radius_m", obstacle.radius_m, kMaxObstacleRadius_m);
+    require_size(source, where + ".height_m", obstacle.height_m, kMaxObstacleHeight_m);
     if (!inside_field(shell, obstacle.p_W)) {
       refuse(field, source, where, obstacle.p_W, "lies outside the boundary");
     }

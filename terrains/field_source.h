@@ -42,7 +42,9 @@ inline constexpr double kMinFieldExtent_m = 1.0;
 inline constexpr double kMaxFieldExtent_m = 20e3;
 // A gate may be digitised this far outside the boundary.
 inline constexpr double kEntryTolerance_m = 1.0;
-// Largest radius and height of an obstacle.
-inline constexpr double kMaxObstacle_m = 100.0;
+// Radius and height of an obstacle.
+inline constexpr double kMinObstacle_m = 0.01;
+inline constexpr double kMaxObstacleRadius_m = 50.0;
+inline constexpr double kMaxObstacleHeight_m = 100.0;
 
 }  // namespace headland

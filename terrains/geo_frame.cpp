@@ -43,6 +43,15 @@ Transformed transformed(const OGRSpatialReference& from, const OGRSpatialReferen
 
 }  // namespace
 
+bool is_known_crs(const std::string& crs) {
+  try {
+    spatial_reference(crs, "");
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 std::string proj_of(const GeoFrame& frame) {
   assert(frame.georeferenced);
   return fmt::format(

@@ -16,6 +16,9 @@ struct GeoFrame {
   double longitude_deg = 0.0;
 };
 
+// Whether GDAL understands it: "EPSG:32615", WKT, PROJ.
+bool is_known_crs(const std::string& crs);
+
 // PROJ string of the frame, for GDAL. Asserts that it is georeferenced.
 std::string proj_of(const GeoFrame& frame);
 

@@ -7,11 +7,17 @@
 namespace headland {
 namespace {
 
+// A value that would bury the message is cut.
+std::string shortened(const std::string& value) {
+  constexpr std::size_t kMost = 100;
+  return value.size() <= kMost ? value : value.substr(0, kMost) + "...";
+}
+
 std::string one_line(const std::string& source, const std::string& where, const std::string& value,
                      const std::string& allowed) {
   std::string line = source;
   if (!where.empty()) line += (line.empty() ? "" : ": ") + where;
-  if (!value.empty()) line += (line.empty() ? "'" : ": '") + value + "'";
+  if (!value.empty()) line += (line.empty() ? "'" : ": '") + shortened(value) + "'";
   if (!allowed.empty()) line += (line.empty() ? "" : ": ") + allowed;
   std::replace(line.begin(), line.end(), '\n', ' ');
   return line;

@@ -10,7 +10,7 @@ namespace headland {
 
 // Bad input. what() is the one line that the command prints before it exits with code 2:
 //   "SOURCE: WHERE: 'VALUE': ALLOWED"
-// Empty parts are left out of the line.
+// Empty parts are left out of the line, and a very long value is cut there.
 struct InputError : std::runtime_error {
   // source: file or command-line option; where: key path or "line 12"; value: what stood there;
   // allowed: what would be accepted, with its unit, or what is wrong and what would mend it.

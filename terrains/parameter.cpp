@@ -16,21 +16,26 @@ std::string value_text(const ParameterValue& value) {
   return std::get<std::string>(value);
 }
 
-std::string allowed_text(const ParameterSpec& spec) {
-  if (spec.choices.empty()) return fmt::format("a number from {} to {}", spec.min, spec.max);
-  return fmt::format("one of {}", fmt::join(spec.choices, ", "));
-}
-
 bool allows(const ParameterSpec& spec, const ParameterValue& value) {
-  if (spec.choices.empty()) {
-    const double* number = std::get_if<double>(&value);
-    return number != nullptr && *number >= spec.min && *number <= spec.max;
+  if (const double* number = std::get_if<double>(&value)) {
+    return takes_number(spec) && *number >= spec.min && *number <= spec.max &&
+           (!spec.whole || *number == std::floor(*number));
   }
-  const std::string* word = std::get_if<std::string>(&value);
-  return word != nullptr && std::ranges::find(spec.choices, *word) != spec.choices.end();
+  return std::ranges::find(spec.choices, std::get<std::string>(value)) != spec.choices.end();
 }
 
 }  // namespace
+
+bool takes_number(const ParameterSpec& spec) { return spec.choices.empty() || spec.min < spec.max; }
+
+std::string allowed_values(const ParameterSpec& spec) {
+  const std::string words = spec.choices.size() == 1
+                                ? std::string(spec.choices.front())
+                                : fmt::format("one of {}", fmt::join(spec.choices, ", "));
+  if (!takes_number(spec)) return words;
+  return fmt::format("{}a {}number from {} to {}", spec.choices.empty() ? "" : words + " or ",
+                     spec.whole ? "whole " : "", spec.min, spec.max);
+}
 
 Parameters resolve_parameters(std::span<const ParameterSpec> specs, const Parameters& given,
                               const std::string& source, const std::string& where) {
@@ -51,7 +56,7 @@ Parameters resolve_parameters(std::span<const ParameterSpec> specs, const Parame
                            : "unknown parameter; the nearest is " + nearest_name(name, names));
     }
     if (!allows(*spec, value)) {
-      throw InputError(source, key, value_text(value), allowed_text(*spec));
+      throw InputError(source, key, value_text(value), allowed_values(*spec));
     }
     resolved[name] = value;
   }
@@ -62,6 +67,13 @@ double number(const Parameters& parameters, const std::string& name) {
   const auto found = parameters.find(name);
   assert(found != parameters.end());
   return std::get<double>(found->second);
+}
+
+std::optional<double> number_unless_word(const Parameters& parameters, const std::string& name) {
+  const auto found = parameters.find(name);
+  assert(found != parameters.end());
+  const double* value = std::get_if<double>(&found->second);
+  return value == nullptr ? std::nullopt : std::optional(*value);
 }
 
 const std::string& word(const Parameters& parameters, const std::string& name) {

@@ -9,12 +9,12 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <memory>
 
 #include "terrains/gdal_scope.h"
 #include "terrains/input_error.h"
+#include "terrains/input_file.h"
 #include "terrains/nearest_heights.h"
 
 namespace headland {
@@ -57,8 +57,15 @@ double metres_per_unit(const std::string& unit, const OGRSpatialReference* refer
 void require_placeable(GDALDataset& raster, const std::string& crs, const Field& field,
                        const std::string& file) {
   double geotransform[6];
-  if (raster.GetGeoTransform(geotransform) != CE_None && raster.GetGCPCount() == 0) {
+  const bool placed = raster.GetGeoTransform(geotransform) == CE_None;
+  if (!placed && raster.GetGCPCount() == 0) {
     throw InputError(file, "", "", "has no geotransform: it does not say where its pixels lie");
+  }
+  const double pixel_area = geotransform[1] * geotransform[5] - geotransform[2] * geotransform[4];
+  if (placed && !(std::abs(pixel_area) > 0.0 && std::isfinite(pixel_area))) {
+    throw InputError(file, "size of a pixel",
+                     fmt::format("{} x {}", geotransform[1], geotransform[5]),
+                     "finite and not 0; in an ASCII grid: cellsize");
   }
   const bool has_crs =
       !crs.empty() || raster.GetSpatialRef() != nullptr || raster.GetGCPSpatialRef() != nullptr;
@@ -75,10 +82,7 @@ void require_placeable(GDALDataset& raster, const std::string& crs, const Field&
 HeightBand open_raster(const std::filesystem::path& path, const std::string& crs,
                        const Field& field, const GdalScope& gdal) {
   const std::string file = path.string();
-  if (!std::filesystem::exists(path)) throw InputError(file, "", "", "no such file");
-  if (std::filesystem::is_regular_file(path) && !std::ifstream(path).good()) {
-    throw InputError(file, "", "", "cannot be read; check its permissions");
-  }
+  require_file_or_folder(path);
   HeightBand height;
   height.file.reset(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
   if (height.file == nullptr || height.file->GetRasterCount() == 0) {

@@ -28,12 +28,12 @@ void require_numbers(const TerrainSource& terrain, const std::string& source) {
   if (terrain.cell_m != 0.0) {
     require_in_range(source, "terrain.cell_m", terrain.cell_m, kMinCell_m, kMaxCell_m, "m");
   }
-  require_in_range(source, "terrain.margin_m", terrain.margin_m, 0.0, kMaxMargin_m, "m");
+  require_in_range(source, "terrain.margin_m", terrain.margin_m, kMinMargin_m, kMaxMargin_m, "m");
   const MicroRelief& relief = terrain.micro_relief;
   require_in_range(source, "terrain.micro_relief.rms_m", relief.rms_m, 0.0, kMaxRoughness_m, "m");
   if (relief.rms_m == 0.0) return;
   require_in_range(source, "terrain.micro_relief.correlation_m", relief.correlation_m,
-                   kCellsPerCorrelation * kMinCell_m, kMaxCell_m, "m");
+                   kMinCorrelation_m, kMaxCorrelation_m, "m");
   const double finest_m = relief.correlation_m / kCellsPerCorrelation;
   if (terrain.cell_m > finest_m) {
     throw InputError(source, "terrain.cell_m", fmt::format("{}", terrain.cell_m),

@@ -56,7 +56,10 @@ Heightfield read_terrain(const TerrainSource& terrain, const Field& field,
 inline constexpr double kMaxTerrainBytes = 2e9;
 inline constexpr double kMinCell_m = 0.01;
 inline constexpr double kMaxCell_m = 100.0;
+inline constexpr double kMinMargin_m = 1.0;
 inline constexpr double kMaxMargin_m = 1000.0;
-inline constexpr double kMaxRoughness_m = 1.0;  // rms of micro-relief
+inline constexpr double kMaxRoughness_m = 0.5;  // rms of micro-relief
+inline constexpr double kMinCorrelation_m = 0.05;
+inline constexpr double kMaxCorrelation_m = 100.0;
 
 }  // namespace headland

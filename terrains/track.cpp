@@ -51,10 +51,14 @@ struct GivenTrack {
   std::string_view counted = "line";
 };
 
-std::optional<std::size_t> column_of(const CsvTable& table, Names names) {
+std::optional<std::size_t> column_of(const CsvTable& table, Names names, const std::string& file) {
   for (std::string_view name : names) {
     const auto found = std::ranges::find(table.header.cells, name);
     if (found != table.header.cells.end()) {
+      if (std::count(found, table.header.cells.end(), name) > 1) {
+        throw InputError(file, fmt::format("line {}, {}", table.header.line, name), "",
+                         "the column stands twice");
+      }
       return static_cast<std::size_t>(found - table.header.cells.begin());
     }
   }
@@ -68,10 +72,10 @@ struct Columns {
 };
 
 Columns position_columns(const CsvTable& table, const GeoFrame& frame, const std::string& file) {
-  const auto x = column_of(table, kX);
-  const auto y = column_of(table, kY);
-  const auto longitude = column_of(table, kLongitude);
-  const auto latitude = column_of(table, kLatitude);
+  const auto x = column_of(table, kX, file);
+  const auto y = column_of(table, kY, file);
+  const auto longitude = column_of(table, kLongitude, file);
+  const auto latitude = column_of(table, kLatitude, file);
   const bool metres = x.has_value() && y.has_value();
   const bool degrees = longitude.has_value() && latitude.has_value();
   if (degrees && (frame.georeferenced || !metres)) return {*longitude, *latitude, true};
@@ -116,8 +120,8 @@ double longest_joined_s(const std::vector<double>& times_s) {
 GivenTrack track_from_csv(const std::filesystem::path& path, const GeoFrame& frame) {
   const CsvTable table = read_csv(path);
   const Columns columns = position_columns(table, frame, path.string());
-  const auto time = column_of(table, kTime);
-  const auto implement = column_of(table, kImplement);
+  const auto time = column_of(table, kTime, path.string());
+  const auto implement = column_of(table, kImplement, path.string());
   GivenTrack track;
   track.degrees = columns.degrees;
   std::vector<double> times_s;

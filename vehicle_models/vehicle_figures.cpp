@@ -28,6 +28,12 @@ double side_stability_angle_rad(const Vehicle& vehicle) {
   return std::atan(track_m / (2.0 * vehicle.body.com_B.z()));
 }
 
+double nose_up_stability_angle_rad(const Vehicle& vehicle) {
+  const AxleLoads loads = static_axle_loads(vehicle);
+  const double ahead_m = wheelbase_m(vehicle) * loads.front_n / (loads.rear_n + loads.front_n);
+  return std::atan(ahead_m / vehicle.body.com_B.z());
+}
+
 double top_speed_mps(const Vehicle& vehicle) {
   return vehicle.motor.max_speed_rad_per_s / vehicle.drivetrain.gear_ratio *
          driven_radius_m(vehicle);

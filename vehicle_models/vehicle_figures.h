@@ -20,6 +20,10 @@ AxleLoads static_axle_loads(const Vehicle& vehicle);
 // Side slope [rad] on which the uphill wheels lift, at rest: atan(t / 2h) with the wider track.
 double side_stability_angle_rad(const Vehicle& vehicle);
 
+// Slope [rad] up which the front wheels lift, at rest: atan(d / h) with the distance d of the mass
+// ahead of the rear axle.
+double nose_up_stability_angle_rad(const Vehicle& vehicle);
+
 // Speed [m/s] at the motor's top speed without slip.
 double top_speed_mps(const Vehicle& vehicle);
 

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "terrains/input_error.h"
+#include "terrains/input_file.h"
 #include "vehicle_models/vehicle_check.h"
 #include "vehicle_models/vehicle_keys.h"
 
@@ -139,10 +140,14 @@ void read_key(const YAML::Node& node, const Place& place, const VehicleKey& spec
 
 YAML::Node parse_file(const std::string& file) {
   try {
-    return YAML::LoadFile(file);
-  } catch (const YAML::BadFile&) {
-    throw InputError(file, "", "", "cannot be read; a vehicle is a folder with a vehicle.yaml");
-  } catch (const YAML::ParserException& error) {
+    std::vector<YAML::Node> documents = YAML::LoadAll(read_text(file));
+    std::erase_if(documents, [](const YAML::Node& document) { return document.IsNull(); });
+    if (documents.size() > 1) {
+      throw InputError(file, fmt::format("line {}", documents[1].Mark().line + 1), "",
+                       "a second YAML document begins here; one file holds one");
+    }
+    return documents.empty() ? YAML::Node() : documents.front();
+  } catch (const YAML::Exception& error) {
     throw InputError(file, fmt::format("line {}", error.mark.line + 1), "",
                      "malformed YAML: " + error.msg);
   }

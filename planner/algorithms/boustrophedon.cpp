@@ -54,14 +54,15 @@ void check_request(const PlanRequest& request) {
 }
 
 SwathGrid make_swaths(const PlanRequest& request, const Headland& headland) {
-  const double direction_deg = number(request.parameters, "swath_direction_deg");
-  if (direction_deg < 0.0) {
+  const auto direction_deg = number_unless_word(request.parameters, "swath_direction_deg");
+  if (!direction_deg) {
     return best_swaths(request.field, headland.inner, headland.drivable, request.working_width_m,
                        request.turning_radius_m);
   }
-  return lay_swaths(
-      headland.inner, headland.drivable, std::fmod(direction_deg, 180.0) * std::numbers::pi / 180.0,
-      request.working_width_m, turn_length_m(request.working_width_m, request.turning_radius_m));
+  return lay_swaths(headland.inner, headland.drivable,
+                    std::fmod(*direction_deg, 180.0) * std::numbers::pi / 180.0,
+                    request.working_width_m,
+                    turn_length_m(request.working_width_m, request.turning_radius_m));
 }
 
 void append_swaths(const SwathGrid& grid, const std::optional<Eigen::Vector2d>& start_W,
@@ -157,17 +158,18 @@ void append_rings(const Headland& headland, bool inwards, const PlanRequest& req
 std::span<const ParameterSpec> boustrophedon_parameters() {
   static const std::array<ParameterSpec, 3> kParameters{{
       {"headland_passes",
-       0.0,
-       0.0,
+       std::string("auto"),
+       1.0,
        20.0,
-       {},
-       "rounds along the boundary; 0: as many as turning needs"},
+       {"auto"},
+       "rounds along the boundary; auto: as many as turning needs",
+       true},
       {"swath_direction_deg",
-       -1.0,
-       -1.0,
+       std::string("auto"),
+       0.0,
        360.0,
-       {},
-       "direction of the swaths, counter-clockwise from east; -1: the best one"},
+       {"auto"},
+       "direction of the swaths, counter-clockwise from east; auto: the best one"},
       {"headland_order",
        std::string("last"),
        0.0,
@@ -180,8 +182,9 @@ std::span<const ParameterSpec> boustrophedon_parameters() {
 
 Plan plan_boustrophedon(const PlanRequest& request) {
   check_request(request);
-  const int asked = static_cast<int>(number(request.parameters, "headland_passes"));
-  const Headland headland = make_headland(request, asked > 0 ? asked : rounds_for_turning(request));
+  const auto asked = number_unless_word(request.parameters, "headland_passes");
+  const Headland headland =
+      make_headland(request, asked ? static_cast<int>(*asked) : rounds_for_turning(request));
   const SwathGrid grid = make_swaths(request, headland);
 
   Plan plan;

@@ -10,7 +10,7 @@ namespace headland {
 std::span<const ParameterSpec> boustrophedon_parameters();
 
 // 1. Headland: `headland_passes` rounds of the working width inside the boundary and around holes
-//    and obstacles (make_headland); 0 takes as many as turning needs (rounds_for_turning).
+//    and obstacles (make_headland); auto takes as many as turning needs (rounds_for_turning).
 // 2. Swaths over the rest in `swath_direction_deg`, or in the best direction (best_swaths).
 // 3. Swaths cut by holes are grouped into cells, each driven up and down, in a short order
 //    (order_cells).

@@ -1,11 +1,10 @@
 // The command from end to end, on a tiny field.
 #include <gmock/gmock.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -97,14 +96,15 @@ bool catches_interrupts(pid_t pid) {
 }
 
 struct Interruption {
-  int exit_code = -1;
+  int exit_code = -1;  // -1: killed, because it did not end
   std::string err;
+  double took_s = 0.0;  // from the signal to the end
 };
 
-// Runs `headland SUBCOMMAND ARGUMENTS...` in `folder`, sends Ctrl-C `delay_us` after it has come to
-// handle it, and then calls `go_on`.
+// Runs `headland SUBCOMMAND ARGUMENTS...` in `folder` and sends Ctrl-C `delay_us` after it has come
+// to handle it.
 Interruption interrupt(const std::filesystem::path& folder, std::vector<const char*> arguments,
-                       useconds_t delay_us, const std::function<void()>& go_on) {
+                       useconds_t delay_us) {
   arguments.insert(arguments.begin(), "headland");
   arguments.push_back(nullptr);
   const std::string errors = (folder / ".err").string();
@@ -115,24 +115,42 @@ Interruption interrupt(const std::filesystem::path& folder, std::vector<const ch
     ::execv(HEADLAND_BINARY, const_cast<char* const*>(arguments.data()));
     ::_exit(99);
   }
-  while (!catches_interrupts(pid)) ::usleep(1000);
+  constexpr int kMostPolls = 20000;
+  for (int poll = 0; !catches_interrupts(pid) && poll < kMostPolls; ++poll) ::usleep(1000);
   ::usleep(delay_us);
+  const auto sent = std::chrono::steady_clock::now();
   ::kill(pid, SIGINT);
-  go_on();
   int status = 0;
-  ::waitpid(pid, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(errors)};
+  for (int poll = 0; ::waitpid(pid, &status, WNOHANG) == 0; ++poll) {
+    if (poll == kMostPolls) ::kill(pid, SIGKILL);
+    ::usleep(1000);
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - sent;
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(errors), took.count()};
 }
 
 TEST_F(StagesTest, CtrlCWhilePlanningWritesNothing) {
-  // A pipe holds the command in front of its scenario until the signal is there.
-  const std::filesystem::path pipe = folder_ / "pipe.yaml";
-  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  const Interruption plan = interrupt(folder_, {"plan", "pipe.yaml", "-o", "DIR"}, 0,
-                                      [&] { write("pipe.yaml", kTinyScenario); });
+  // So fine a terrain takes longer to make than the signal to arrive.
+  write("fine.yaml", kTinyScenario + "terrain: {generator: rolling, cell_m: 0.03, margin_m: 30}\n");
+  const Interruption plan = interrupt(folder_, {"plan", "fine.yaml", "-o", "DIR"}, 0);
   EXPECT_EQ(plan.exit_code, 130);
-  EXPECT_THAT(plan.err, HasSubstr("headland: interrupted"));
+  EXPECT_EQ(plan.err, "headland: interrupted; what the finished stages wrote is kept\n");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "DIR"));
+}
+
+TEST_F(StagesTest, CtrlCWhileDrawingEndsAtOnceAndLeavesNoPicture) {
+  ASSERT_LE(headland(kEvaluate + "DIR -q").exit_code, 1);
+  const std::string before = text_of(folder_ / "DIR" / "field.png");
+  // Pictures this large take many times as long.
+  constexpr useconds_t kIntoTheDrawing_us = 500000;
+  constexpr double kAtOnce_s = 1.0;
+  const Interruption render =
+      interrupt(folder_, {"render", "DIR", "--size", "8000x8000"}, kIntoTheDrawing_us);
+  EXPECT_EQ(render.exit_code, 130);
+  EXPECT_EQ(render.err, "headland: interrupted; what the finished stages wrote is kept\n");
+  EXPECT_LT(render.took_s, kAtOnce_s);
+  EXPECT_EQ(text_of(folder_ / "DIR" / "field.png"), before);
+  EXPECT_EQ(files_in("DIR").size(), 10U);
 }
 
 TEST_F(StagesTest, CtrlCDropsTheRunAndKeepsThePlan) {
@@ -142,11 +160,70 @@ TEST_F(StagesTest, CtrlCDropsTheRunAndKeepsThePlan) {
       std::string(kTinyScenario).replace(kTinyScenario.find("record_hz: 2"), 12, "rate_hz: 2000"));
   ASSERT_EQ(headland("plan tiny.yaml -o DIR -q").exit_code, 0);
   constexpr useconds_t kIntoTheDrive_us = 300000;
-  const Interruption drive = interrupt(folder_, {"drive", "DIR"}, kIntoTheDrive_us, [] {});
+  const Interruption drive = interrupt(folder_, {"drive", "DIR"}, kIntoTheDrive_us);
   EXPECT_EQ(drive.exit_code, 130);
   EXPECT_THAT(drive.err, HasSubstr("headland: interrupted"));
   EXPECT_THAT(files_in("DIR"),
               UnorderedElementsAre("scenario.yaml", "plan.geojson", "path.geojson"));
+}
+
+TEST_F(StagesTest, AFolderInTheWayOfAResultIsToldBeforeAnyWork) {
+  std::filesystem::create_directories(folder_ / "DIR" / "metrics.json");
+  const CommandResult result = headland(kEvaluate + "DIR");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.err,
+            "headland: DIR/metrics.json: cannot be written: a folder of that name is in the way\n");
+  EXPECT_THAT(files_in("DIR"), UnorderedElementsAre("metrics.json"));
+}
+
+TEST_F(StagesTest, AMeshThatIsNoneIsToldEverywhereAndTheRunGoesOn) {
+  std::filesystem::copy(HEADLAND_SOURCE_DIR "/vehicle_models/transplanter", folder_ / "mine");
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "mine")) {
+    if (entry.path().extension() == ".obj") write("mine/" + entry.path().filename().string(), "?");
+  }
+  write("tiny.yaml", kTinyField + "vehicle: ./mine\n");
+  const std::string note =
+      "vehicle mine: transplanter.obj cannot be read: plain box in the pictures";
+  const CommandResult result = headland(kEvaluate + "DIR");
+  EXPECT_LE(result.exit_code, 1);
+  EXPECT_EQ(result.err, "headland: " + note + "\n");
+  EXPECT_THAT(result.out, HasSubstr("note: " + note + "\n"));
+  const auto json = nlohmann::json::parse(text_of(folder_ / "DIR" / "metrics.json"));
+  EXPECT_EQ(json["notes"], nlohmann::json::array({note}));
+}
+
+TEST_F(StagesTest, ControlCharactersInANameDoNotReachTheTerminal) {
+  write("tiny.yaml", kTinyScenario + "name: \"a\\e[31m\\nverdict: PASS\\a\"\n");
+  const CommandResult result = headland("plan tiny.yaml -o DIR");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, ::testing::StartsWith("a\\x1B[31m\\x0Averdict: PASS\\x07: transplanter"));
+}
+
+TEST_F(StagesTest, DamagedResultsAreRefusedWithoutNewOnes) {
+  ASSERT_LE(headland(kEvaluate + "DIR -q").exit_code, 1);
+  const std::string run = text_of(folder_ / "DIR" / "run.csv");
+  write("DIR/run.csv", run.substr(0, run.find('\n') + 1));
+  const CommandResult render = headland("render DIR --size 320x240");
+  EXPECT_EQ(render.exit_code, 2);
+  EXPECT_EQ(render.err, "headland: DIR/run.csv: line 2: the table has no rows\n");
+  std::string path = text_of(folder_ / "DIR" / "path.geojson");
+  const std::size_t heading = path.find("\"heading_rad\":[") + 15;
+  path.replace(heading, path.find(',', heading) - heading, "1e300");
+  write("DIR/path.geojson", path);
+  const CommandResult drive = headland("drive DIR");
+  EXPECT_EQ(drive.exit_code, 2);
+  EXPECT_EQ(drive.err,
+            "headland: DIR/path.geojson: feature 1, point 1: 'heading_rad 1e+300': a heading from "
+            "-100 to 100 rad\n");
+}
+
+TEST_F(StagesTest, TheListTellsWhatAParameterTakes) {
+  EXPECT_THAT(headland("list planners").out, HasSubstr("; auto or a whole number from 1 to 20\n"));
+  const auto list = nlohmann::json::parse(headland("list planners --json").out);
+  const auto& parameter = list[0]["parameters"][0];
+  EXPECT_EQ(parameter["default"], "auto");
+  EXPECT_EQ(parameter["whole"], true);
+  EXPECT_EQ(parameter["max"], 20.0);
 }
 
 TEST_F(StagesTest, ListsAndHelp) {

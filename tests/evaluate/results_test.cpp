@@ -7,14 +7,21 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <numbers>
+#include <set>
+#include <sstream>
 #include <string>
 
 #include "evaluate/atomic_file.h"
-#include "evaluate/json_text.h"
 #include "evaluate/metrics_file.h"
 #include "evaluate/plan_file.h"
 #include "evaluate/run_tables.h"
 #include "terrains/input_error.h"
+#include "terrains/input_file.h"
+#include "terrains/json_text.h"
+#include "tests/terrains/refusal.h"
+#include "vehicle_models/vehicle_figures.h"
+#include "vehicle_models/vehicle_loader.h"
 
 namespace headland {
 namespace {
@@ -47,20 +54,68 @@ class ResultsTest : public ::testing::Test {
     return folder_ / name;
   }
 
+  std::set<std::string> names_in_folder() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      names.insert(entry.path().filename().string());
+    }
+    return names;
+  }
+
+  const Vehicle vehicle_ = load_vehicle("transplanter");
   const fs::path folder_ = fs::path(::testing::TempDir()) /
                            ::testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
+// `table` with another cell in a line (counted from 1) of a column.
+std::string with_cell(const std::string& table, int line, const std::string& column,
+                      const std::string& cell) {
+  std::stringstream in(table);
+  std::stringstream out;
+  std::string text;
+  std::size_t index = 0;
+  for (int number = 1; std::getline(in, text); ++number) {
+    std::vector<std::string> cells;
+    std::stringstream row(text);
+    for (std::string part; std::getline(row, part, ',');) cells.push_back(part);
+    if (number == 1) {
+      index =
+          static_cast<std::size_t>(std::find(cells.begin(), cells.end(), column) - cells.begin());
+    }
+    if (number == line) cells.at(index) = cell;
+    for (std::size_t i = 0; i < cells.size(); ++i) out << (i == 0 ? "" : ",") << cells[i];
+    out << "\n";
+  }
+  return out.str();
+}
+
+Field field_on(const GeoFrame& frame) {
+  Field field;
+  field.name = "square";
+  field.boundary = {{-100, -100}, {100, -100}, {100, 100}, {-100, 100}};
+  field.frame = frame;
+  return field;
+}
+
+// The point a step [m] along a circle after `from`, headings within (-pi, pi].
+PathPoint next_on_circle(const PathPoint& from, double step_m, double curvature_per_m) {
+  const double turn_rad = step_m * curvature_per_m;
+  const double along_rad = from.heading_rad + 0.5 * turn_rad;
+  return {from.p_W + step_m * Eigen::Vector2d(std::cos(along_rad), std::sin(along_rad)),
+          std::remainder(from.heading_rad + turn_rad, 2.0 * std::numbers::pi), curvature_per_m};
+}
+
 Path some_path() {
   Path path;
   PathSegment swath{PathKind::kSwath, Gear::kForward, true, 0, {}};
-  swath.points = {{{-12.3456789, 7.0}, 0.123456789012, 0.0},
-                  {{100.1, 7.5}, -3.1, 0.25},
-                  {{400.0, -250.0}, 3.1, -0.25}};
+  swath.points = {{{-12.3456789, 7.0}, 3.123456789012, 0.25}};
+  for (int i = 0; i < 2; ++i) {
+    swath.points.push_back(next_on_circle(swath.points.back(), 0.25, 0.25));
+  }
   PathSegment turn{PathKind::kUTurn, Gear::kReverse, false, 1, {}};
-  turn.points = {swath.points.back(), {{401.0, -250.0}, 3.0, 0.5}};
+  turn.points = {swath.points.back(), next_on_circle(swath.points.back(), -0.5, -0.25)};
   path.segments = {swath, turn};
-  path.violations = {{{401.0, -250.0}, 1, 0.375, "hull beyond the boundary"}};
+  path.violations = {{{-12.0, 7.0}, 1, 0.375, "hull beyond the boundary"}};
   return path;
 }
 
@@ -119,9 +174,9 @@ void expect_same_path(const Path& read, const Path& path, double tolerance_m) {
 
 TEST_F(ResultsTest, PathComesBackInLocalMetresAndOnTheEarth) {
   const Path path = some_path();
-  expect_same_path(read_path(write("a", path_geojson(path, kLocal)), kLocal), path,
+  expect_same_path(read_path(write("a", path_geojson(path, kLocal)), field_on(kLocal)), path,
                    kLocalPlaceTolerance_m);
-  expect_same_path(read_path(write("b", path_geojson(path, kOnEarth)), kOnEarth), path,
+  expect_same_path(read_path(write("b", path_geojson(path, kOnEarth)), field_on(kOnEarth)), path,
                    kGeoPlaceTolerance_m);
 }
 
@@ -129,7 +184,7 @@ TEST_F(ResultsTest, PathComesBackInLocalMetresAndOnTheEarth) {
 TEST_F(ResultsTest, WritingWhatWasReadGivesTheSameBytes) {
   for (const GeoFrame& frame : {kLocal, kOnEarth}) {
     const std::string first = path_geojson(some_path(), frame);
-    EXPECT_EQ(path_geojson(read_path(write("a", first), frame), frame), first);
+    EXPECT_EQ(path_geojson(read_path(write("a", first), field_on(frame)), frame), first);
   }
 }
 
@@ -142,14 +197,14 @@ TEST_F(ResultsTest, GeoreferencedCoordinatesAreLongitudeAndLatitude) {
   EXPECT_NEAR(first[1].get<double>(), kOnEarth.latitude_deg, 1e-9);
   EXPECT_EQ(json["features"][1]["properties"]["kind"], "U-turn");
   EXPECT_EQ(json["features"][1]["properties"]["gear"], "reverse");
-  EXPECT_NEAR(json["features"][1]["properties"]["length_m"].get<double>(), 1.0, 1e-3);
+  EXPECT_NEAR(json["features"][1]["properties"]["length_m"].get<double>(), 0.5, 1e-3);
 }
 
 TEST_F(ResultsTest, TheFrameOfTheLocalMetresIsRecorded) {
   Field field;
   field.frame = kOnEarth;
-  const auto metrics =
-      metrics_json({Scenario{}, field, Path{}, RunRecord{}, Metrics{}, Verdict{}}, "1");
+  const auto metrics = metrics_json(
+      {Scenario{}, field, vehicle_, Path{}, RunRecord{}, Metrics{}, Verdict{}, {}}, "1");
   const auto path = parse_json(write("a", path_geojson(some_path(), kOnEarth)));
   for (const auto& frame : {metrics["frame"], path["headland"]["frame"]}) {
     EXPECT_EQ(frame["longitude_deg"].get<double>(), kOnEarth.longitude_deg);
@@ -160,52 +215,51 @@ TEST_F(ResultsTest, TheFrameOfTheLocalMetresIsRecorded) {
   EXPECT_TRUE(local["headland"].at("frame").is_null());
 }
 
-TEST_F(ResultsTest, PlanComesBack) {
+TEST_F(ResultsTest, APlanIsLinesWithKindAndOrder) {
   Plan plan;
   plan.planner = "boustrophedon";
   plan.swath_direction_rad = 0.75;
   plan.headland_width_m = 6.0;
-  plan.planned_length_m = 123.0;
   plan.passes = {{PassKind::kSwath, {{0, 0}, {10, 0}}},
                  {PassKind::kHeadlandPass, {{0, 1}, {10, 1}, {10, 5}}}};
-  const Plan read = read_plan(write("plan", plan_geojson(plan, kLocal)), kLocal);
-  EXPECT_EQ(read.planner, plan.planner);
-  EXPECT_EQ(read.swath_direction_rad, plan.swath_direction_rad);
-  EXPECT_EQ(read.headland_width_m, plan.headland_width_m);
-  EXPECT_EQ(read.planned_length_m, plan.planned_length_m);
-  ASSERT_EQ(read.passes.size(), 2U);
-  EXPECT_EQ(read.passes[1].kind, PassKind::kHeadlandPass);
-  EXPECT_EQ(read.passes[1].points_W, plan.passes[1].points_W);
+  const auto json = parse_json(write("plan", plan_geojson(plan, kLocal)));
+  EXPECT_EQ(json["headland"]["planner"], "boustrophedon");
+  EXPECT_EQ(json["headland"]["swath_direction_rad"].get<double>(), 0.75);
+  ASSERT_EQ(json["features"].size(), 2U);
+  const auto& second = json["features"][1];
+  EXPECT_EQ(second["properties"]["kind"], "headland pass");
+  EXPECT_EQ(second["properties"]["order"], 2);
+  EXPECT_EQ(second["properties"]["length_m"].get<double>(), 14.0);
+  EXPECT_EQ(second["geometry"]["coordinates"][2][1].get<double>(), 5.0);
 }
 
 TEST_F(ResultsTest, RefusesPathsThatAreNone) {
   const std::string good = path_geojson(some_path(), kLocal);
-  const auto refusal = [&](const std::string& from, const std::string& to) {
+  const auto refused = [&](const std::string& from, const std::string& to) {
     std::string bad = good;
     bad.replace(bad.find(from), from.size(), to);
     const fs::path file = write("path.geojson", bad);
-    try {
-      read_path(file, kLocal);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("(accepted)");
+    return refusal([&] { read_path(file, field_on(kLocal)); });
   };
-  EXPECT_THAT(refusal("\"swath\"", "\"swat\""), AllOf(HasSubstr("feature 1"), HasSubstr("swat")));
-  EXPECT_THAT(refusal("\"reverse\"", "\"back\""), HasSubstr("feature 2"));
-  EXPECT_THAT(refusal("\"heading_rad\":[", "\"heading_rad\":[0.0,"), HasSubstr("3 numbers"));
-  EXPECT_THAT(refusal("\"manoeuvre\":0", "\"manoeuvre\":-7"), HasSubstr("a count from 0"));
-  EXPECT_THAT(refusal("\"manoeuvre\":0", "\"m\":0"), HasSubstr("missing"));
-  EXPECT_THAT(refusal("\"LineString\"", "\"Polygon\""), HasSubstr("Polygon"));
-  EXPECT_THAT(refusal("\n]}", "\n]"), AllOf(HasSubstr("line "), HasSubstr("malformed JSON")));
-  EXPECT_THAT(refusal("\"manoeuvre\":0", "\"manoeuvre\":1e999"),
+  EXPECT_THAT(refused("\"swath\"", "\"swat\""), AllOf(HasSubstr("feature 1"), HasSubstr("swat")));
+  EXPECT_THAT(refused("\"reverse\"", "\"back\""),
+              HasSubstr("path.geojson: feature 2: 'back': known: forward, reverse"));
+  EXPECT_THAT(refused("\"heading_rad\":[", "\"heading_rad\":[0.0,"), HasSubstr("3 numbers"));
+  EXPECT_THAT(refused("\"manoeuvre\":0", "\"manoeuvre\":-7"), HasSubstr("a count from 0"));
+  EXPECT_THAT(refused("\"manoeuvre\":0", "\"manoeuvre\":1.5"),
+              HasSubstr("path.geojson: feature 1: 'manoeuvre 1.5': a count from 0 is needed"));
+  EXPECT_THAT(refused("\"manoeuvre\":0", "\"m\":0"),
+              HasSubstr("path.geojson: feature 1: 'manoeuvre': the property is missing"));
+  EXPECT_THAT(refused("\"LineString\"", "\"Polygon\""), HasSubstr("Polygon"));
+  EXPECT_THAT(refused("\n]}", "\n]"), AllOf(HasSubstr("line "), HasSubstr("malformed JSON")));
+  EXPECT_THAT(refused("\"manoeuvre\":0", "\"manoeuvre\":1e999"),
               AllOf(HasSubstr("malformed JSON"), HasSubstr("1e999")));
-  EXPECT_THAT(refusal("local metres", "furlongs"), HasSubstr("furlongs"));
-  EXPECT_THAT([&] { read_path(write("a", path_geojson(some_path(), kOnEarth)), kLocal); },
+  EXPECT_THAT(refused("local metres", "furlongs"), HasSubstr("furlongs"));
+  EXPECT_THAT([&] { read_path(write("a", path_geojson(some_path(), kOnEarth)), field_on(kLocal)); },
               ThrowsMessage<InputError>(HasSubstr("headland.coordinates")));
-  EXPECT_THAT([&] { read_path(write("a", path_geojson({}, kLocal)), kLocal); },
+  EXPECT_THAT([&] { read_path(write("a", path_geojson({}, kLocal)), field_on(kLocal)); },
               ThrowsMessage<InputError>(HasSubstr("no path segment")));
-  EXPECT_THROW(read_path(folder_ / "none", kLocal), InputError);
+  EXPECT_THROW(read_path(folder_ / "none", field_on(kLocal)), InputError);
 }
 
 class RunFilesTest : public ResultsTest {
@@ -215,7 +269,8 @@ class RunFilesTest : public ResultsTest {
     const Metrics metrics;
     const Verdict verdict;
     const Field field;
-    const auto json = metrics_json({Scenario{}, field, path_, run_, metrics, verdict}, "1.2.3");
+    const auto json =
+        metrics_json({Scenario{}, field, vehicle_, path_, run_, metrics, verdict, {}}, "1.2.3");
     write(kMetricsFile, json_text(json, 2));
     write(kRunFile, run_csv(run_.samples, kLocal));
     write(kFootprintFile, footprint_csv(run_.footprints));
@@ -257,35 +312,100 @@ TEST_F(RunFilesTest, AWholeRunComesBack) {
 }
 
 TEST_F(RunFilesTest, RefusesTablesThatAreNone) {
+  const auto refused = [&](const std::string& text) {
+    return refusal([&] { read_run_csv(write("run.csv", text)); });
+  };
   const std::string header = run_csv({}, kLocal);
-  EXPECT_THAT([&] { read_run_csv(write("a", "")); },
-              ThrowsMessage<InputError>(HasSubstr("header")));
-  EXPECT_THAT([&] { read_run_csv(write("a", "time_s\n1\n")); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("line 1"), HasSubstr("missing"))));
-  EXPECT_THAT([&] { read_run_csv(write("a", header + "1,2\n")); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("line 2"), HasSubstr("2 cells"))));
-  std::string bad = run_csv(run_.samples, kLocal);
-  bad.replace(bad.find("\n") + 1, 1, "x");
-  EXPECT_THAT([&] { read_run_csv(write("a", bad)); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("line 2"), HasSubstr("'time_s'"))));
+  EXPECT_THAT(refused(""), HasSubstr("run.csv: line 1: the header line is missing"));
+  EXPECT_THAT(refused("time_s\n1\n"), HasSubstr("line 1, travel_m: the column is missing"));
+  EXPECT_THAT(refused("time_s," + header), HasSubstr("line 1, time_s: the column stands twice"));
+  EXPECT_THAT(refused(header + "1,2\n"), HasSubstr("line 2: '2 cells': the header has 29 columns"));
 }
 
-TEST_F(RunFilesTest, RefusesARunOfAnotherPath) {
-  Path shorter = path_;
-  shorter.segments.pop_back();
-  EXPECT_THAT([&] { read_run(folder_, shorter); },
-              ThrowsMessage<InputError>(HasSubstr("another path")));
+// One damage to a table, and how the refusal ends.
+struct Damage {
+  std::string table;
+  std::string column;
+  std::string cell;  // in the third line
+  std::string message;
+};
+
+TEST_F(RunFilesTest, RefusesDamagedCellsWithLineColumnAndValue) {
+  const std::string any = "a number from -1000000000 to 1000000000 is needed";
+  const Damage damages[] = {
+      {kRunFile, "time_s", "x", "line 3, time_s: 'x': a number from 0 to 1000000000 is needed"},
+      {kRunFile, "time_s", "nan", "line 3, time_s: 'nan': a number from 0 to 1000000000 is needed"},
+      {kRunFile, "time_s", "-1", "line 3, time_s: '-1': a number from 0 to 1000000000 is needed"},
+      {kRunFile, "time_s", "0.25", "line 4, time_s: '0.2': at least 0.25, as in the line before"},
+      {kRunFile, "x_m", "nan", "line 3, x_m: 'nan': " + any},
+      {kRunFile, "x_m", "1e300", "line 3, x_m: '1e300': " + any},
+      {kRunFile, "x_m", "1e6",
+       "line 3, x_m, y_m: '1000000, 1': a place within 2000 m of path.geojson beside it"},
+      {kRunFile, "slip", "1.5", "line 3, slip: '1.5': a number from 0 to 1 is needed"},
+      {kRunFile, "pitch_rad", "inf", "line 3, pitch_rad: 'inf': " + any},
+      {kRunFile, "segment", "1e300",
+       "line 3, segment: '1e300': a whole number from 0 to 1000000000 is needed"},
+      {kRunFile, "segment", "7",
+       "line 3, segment: '7': path.geojson beside it has 2 segments: the run belongs to another "
+       "path"},
+      {kRunFile, "implement_down", "0.5",
+       "line 3, implement_down: '0.5': a whole number from 0 to 1 is needed"},
+      {kFootprintFile, "left_x_m", "nan", "line 3, left_x_m: 'nan': " + any},
+      {kFootprintFile, "right_y_m", "1e8",
+       "line 3, right_x_m, right_y_m: '0.5, 1e+08': a place within 2000 m of path.geojson beside "
+       "it"},
+      {kFootprintFile, "time_s", "9", "line 4, time_s: '1': at least 9, as in the line before"},
+  };
+  for (const Damage& damage : damages) {
+    SCOPED_TRACE(damage.message);
+    const std::string good = read_text(folder_ / damage.table);
+    write(damage.table, with_cell(good, 3, damage.column, damage.cell));
+    EXPECT_EQ(refusal([&] { read_run(folder_, path_); }),
+              (folder_ / damage.table).string() + ": " + damage.message);
+    write(damage.table, good);
+  }
+  EXPECT_NO_THROW(read_run(folder_, path_));
 }
 
-TEST_F(RunFilesTest, RefusesSegmentsThatAreNoIndex) {
+TEST_F(RunFilesTest, RefusesARunWithoutRows) {
+  write(kRunFile, run_csv({}, kLocal));
+  EXPECT_EQ(refusal([&] { read_run(folder_, path_); }),
+            (folder_ / kRunFile).string() + ": line 2: the table has no rows");
+}
+
+TEST_F(RunFilesTest, ReadsTablesWithLineEndsOfOtherSystems) {
+  std::string table = read_text(folder_ / kRunFile);
+  for (std::size_t at = 0; (at = table.find('\n', at)) != std::string::npos; at += 2) {
+    table.insert(at, "\r");
+  }
+  write(kRunFile, table);
+  EXPECT_EQ(read_run(folder_, path_).samples.size(), run_.samples.size());
+}
+
+TEST_F(RunFilesTest, OfARunThatDivergedOnlyWhatIsFiniteIsWritten) {
+  RunRecord run = run_;
+  run.samples.back().p_WB.x() = std::numeric_limits<double>::quiet_NaN();
+  run.footprints.back().left_W.x() = std::numeric_limits<double>::infinity();
+  run.segments.back().energy.battery_j = std::numeric_limits<double>::quiet_NaN();
+  write(kRunFile, run_csv(run.samples, kLocal));
+  write(kFootprintFile, footprint_csv(run.footprints));
+  write(kSegmentsFile, segments_csv(path_, run.segments));
+  EXPECT_THAT(refusal([&] { read_run(folder_, path_); }), HasSubstr("line 2, battery_j: 'nan'"));
+  auto json = parse_json(folder_ / kMetricsFile);
+  json["outcome"]["name"] = outcome_name(Outcome::kDiverged);
+  write(kMetricsFile, json_text(json));
+  const RunRecord read = read_run(folder_, path_);
+  EXPECT_EQ(read.samples.size(), run.samples.size() - 1);
+  EXPECT_EQ(read.footprints.size(), run.footprints.size() - 1);
+  EXPECT_TRUE(std::isnan(read.segments.back().energy.battery_j));
+}
+
+TEST_F(RunFilesTest, RefusesSegmentsOfAnotherPath) {
   const std::string table = read_text(folder_ / kSegmentsFile);
-  const std::size_t row = table.find('\n') + 1;
-  for (const char* index : {"nan", "1e300", "-1e300"}) {
-    std::string bad = table;
-    write(kSegmentsFile, bad.replace(row, bad.find(',', row) - row, index));
-    EXPECT_THAT([&] { read_run(folder_, path_); },
-                ThrowsMessage<InputError>(HasSubstr("another path")))
-        << index;
+  for (const char* index : {"2", "nan", "1e300", "-1e300"}) {
+    write(kSegmentsFile, with_cell(table, 2, "segment", index));
+    EXPECT_THAT(refusal([&] { read_run(folder_, path_); }),
+                HasSubstr(std::string("segments.csv: line 2, segment: '") + index + "'"));
   }
 }
 
@@ -307,21 +427,70 @@ TEST_F(RunFilesTest, EveryColumnStandsInTheDocumentation) {
   }
 }
 
-TEST_F(ResultsTest, FiguresComeBackAndWhatIsNotFiniteIsNull) {
+TEST_F(ResultsTest, FiguresAreWrittenAndWhatIsNotFiniteIsNull) {
   Metrics metrics;
   metrics.coverage.covered_m2 = 123.25;
   metrics.u_turns = 7;
   metrics.worst_slip = std::numeric_limits<double>::quiet_NaN();
   metrics.by_kind[3].count = 7;
   metrics.by_kind[3].energy.cause_j[2] = 4.5;
-  const Field field;
-  const auto json = metrics_json({Scenario{}, field, Path{}, RunRecord{}, metrics, Verdict{}}, "1");
-  const Metrics read = read_metrics(write("metrics.json", json_text(json)));
-  EXPECT_EQ(read.coverage.covered_m2, 123.25);
-  EXPECT_EQ(read.u_turns, 7);
-  EXPECT_TRUE(std::isnan(read.worst_slip));
-  EXPECT_EQ(read.by_kind[3].count, 7);
-  EXPECT_EQ(read.by_kind[3].energy.cause_j[2], 4.5);
+  const auto json = parse_json(write("metrics.json", json_text(metrics_json({Scenario{},
+                                                                             field_on(kLocal),
+                                                                             vehicle_,
+                                                                             Path{},
+                                                                             RunRecord{},
+                                                                             metrics,
+                                                                             Verdict{},
+                                                                             {"mind the box"}},
+                                                                            "1"))));
+  EXPECT_EQ(json["figures"]["covered_m2"].get<double>(), 123.25);
+  EXPECT_EQ(json["figures"]["u_turns"], 7);
+  EXPECT_TRUE(json["figures"]["worst_slip"].is_null());
+  EXPECT_EQ(json["by_kind"]["U-turn"]["count"], 7);
+  EXPECT_EQ(json["by_kind"]["U-turn"]["energy"][energy_key(EnergyCause::kMotor)].get<double>(),
+            4.5);
+  EXPECT_EQ(json["notes"][0], "mind the box");
+  EXPECT_EQ(json["stability"]["side_stability_angle_rad"].get<double>(),
+            side_stability_angle_rad(vehicle_));
+  EXPECT_EQ(json["stability"]["nose_up_stability_angle_rad"].get<double>(),
+            nose_up_stability_angle_rad(vehicle_));
+}
+
+TEST_F(ResultsTest, AFolderInTheWayOfOneFileLeavesAllAsTheyWere) {
+  write("a", "old");
+  fs::create_directory(folder_ / "b");
+  EXPECT_EQ(refusal([&] {
+              write_together(folder_, {{"a", "new"}, {"b", "new"}, {"c", "new"}});
+            }),
+            (folder_ / "b").string() + ": cannot be written: a folder of that name is in the way");
+  EXPECT_EQ(read_text(folder_ / "a"), "old");
+  EXPECT_EQ(names_in_folder(), (std::set<std::string>{"a", "b"}));
+}
+
+TEST_F(ResultsTest, FilesAlreadyReplacedArePutBackWhenALaterOneFails) {
+  write("a", "old");
+  // Written and then gone: the same partial name twice, so that the second renaming finds nothing.
+  EXPECT_THAT(refusal([&] {
+                write_together(folder_, {{"a", "new"}, {"n", "new"}, {"n", "new"}});
+              }),
+              HasSubstr("/n: cannot be written: No such file"));
+  EXPECT_EQ(read_text(folder_ / "a"), "old");
+  EXPECT_EQ(names_in_folder(), (std::set<std::string>{"a"}));
+}
+
+TEST_F(ResultsTest, FoldersMadeForNothingGoAgain) {
+  EXPECT_THAT(refusal([&] {
+                write_together(folder_ / "x" / "y", {{"n", "new"}, {"n", "new"}});
+              }),
+              HasSubstr("cannot be written"));
+  EXPECT_TRUE(names_in_folder().empty());
+}
+
+TEST_F(ResultsTest, AFolderUnderTheNameOfAResultIsRefusedBeforeAnyWork) {
+  fs::create_directory(folder_ / kMetricsFile);
+  EXPECT_EQ(refusal([&] { check_results_folder(folder_); }),
+            (folder_ / kMetricsFile).string() +
+                ": cannot be written: a folder of that name is in the way");
 }
 
 TEST_F(ResultsTest, AFullDiskLeavesTheOldFilesAndNothingHalfWritten) {

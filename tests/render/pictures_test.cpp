@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "evaluate/atomic_file.h"
 #include "render/field_view.h"
 #include "render/map_base.h"
 #include "terrains/input_error.h"
@@ -281,9 +282,10 @@ TEST(Pictures, AreWrittenForTheEyeOnRequest) {
   const MadeRun large = rolling_run(420.0, 9.0);
   const MadeRun small = rolling_run(60.0, 2.0);
   for (const auto& [name, made] : {std::pair{"large", &large}, {"small", &small}}) {
-    write_png(draw_field_map(made->scene(), {}), to / (std::string(name) + "_field.png"));
-    write_png(draw_view(made->scene(), {}), to / (std::string(name) + "_view.png"));
-    write_png(draw_energy_map(made->scene(), {}), to / (std::string(name) + "_energy.png"));
+    const std::string stem(name);
+    write_together(to, {{stem + "_field.png", png_of(draw_field_map(made->scene(), {}))},
+                        {stem + "_view.png", png_of(draw_view(made->scene(), {}))},
+                        {stem + "_energy.png", png_of(draw_energy_map(made->scene(), {}))}});
   }
 }
 

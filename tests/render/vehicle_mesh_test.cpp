@@ -46,6 +46,12 @@ TEST(MeshFile, RefusesAMissingAndABrokenOne) {
   };
   EXPECT_THAT(message("/nowhere/body.obj"), HasSubstr("/nowhere/body.obj"));
   EXPECT_THAT(message(scratch("noise.obj", "f 1 2 3\nf nonsense")), HasSubstr("mesh"));
+  // Millimetres, and a number that none is.
+  EXPECT_EQ(message(scratch("mm.obj", "v 0 0 1\nv 3600 0 1\nv 0 1500 1\nf 1 2 3\n")),
+            (std::filesystem::path(testing::TempDir()) / "headland_mesh/mm.obj").string() +
+                ": '3600, 0, 1': vertices within 100 m of the origin are needed, in metres");
+  EXPECT_THAT(message(scratch("nan.obj", "v 0 0 1\nv nan 0 1\nv 0 1 1\nf 1 2 3\n")),
+              HasSubstr("vertices within 100 m"));
 }
 
 TEST(VehicleMesh, SaysWhyTheBodyIsAPlainBox) {

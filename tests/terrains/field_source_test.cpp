@@ -206,9 +206,9 @@ TEST(InlineField, ObstaclesOutsideOrAbsurdAreRefused) {
   EXPECT_EQ(line_of(source),
             "demo.yaml: obstacles[0]: lies outside the boundary at x 70.000 m, y 5.000 m");
   source.obstacles = {{.p_W = {7.0, 5.0}, .radius_m = -1.0}};
-  EXPECT_EQ(line_of(source), "demo.yaml: obstacles[0].radius_m: '-1': above 0 and at most 100 m");
+  EXPECT_EQ(line_of(source), "demo.yaml: obstacles[0].radius_m: '-1': from 0.01 to 50 m");
   source.obstacles = {{.p_W = {7.0, 5.0}, .height_m = 0.0}};
-  EXPECT_EQ(line_of(source), "demo.yaml: obstacles[0].height_m: '0': above 0 and at most 100 m");
+  EXPECT_EQ(line_of(source), "demo.yaml: obstacles[0].height_m: '0': from 0.01 to 100 m");
 }
 
 TEST(InlineField, EntryMayBeAtTheGateButNotDownTheRoad) {

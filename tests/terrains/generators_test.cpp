@@ -184,7 +184,7 @@ TEST(Generators, AbsurdNumbersAreRefused) {
   EXPECT_THAT(line(source), HasSubstr("terrain.cell_m: '-1': a number from 0.01 to 100 m"));
   source = generated("flat");
   source.margin_m = std::nan("");
-  EXPECT_THAT(line(source), HasSubstr("terrain.margin_m: 'nan': a number from 0 to 1000 m"));
+  EXPECT_THAT(line(source), HasSubstr("terrain.margin_m: 'nan': a number from 1 to 1000 m"));
   source = generated("flat");
   source.micro_relief.rms_m = -0.1;
   EXPECT_THAT(line(source), HasSubstr("terrain.micro_relief.rms_m: '-0.1'"));

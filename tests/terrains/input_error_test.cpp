@@ -15,6 +15,12 @@ TEST(InputError, LineIsOneLine) {
   EXPECT_STREQ(InputError("a", "", "", "first\nsecond").what(), "a: first second");
 }
 
+TEST(InputError, AVeryLongValueIsCutInTheLine) {
+  const InputError error("a", "name", std::string(5000, 'x'), "shorter");
+  EXPECT_EQ(error.what(), "a: name: '" + std::string(100, 'x') + "...': shorter");
+  EXPECT_EQ(error.value.size(), 5000U);
+}
+
 TEST(NearestName, IsTheOneWithFewestEdits) {
   EXPECT_EQ(nearest_name("rollin", {"flat", "rolling", "bowl"}), "rolling");
   EXPECT_EQ(nearest_name("anything", {}), "");

@@ -12,9 +12,10 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::array<ParameterSpec, 2> kSpecs{{
+const std::array<ParameterSpec, 3> kSpecs{{
     {"length_m", 2.0, 0.5, 10.0, {}, "a length"},
     {"order", std::string("spiral"), 0.0, 0.0, {"spiral", "skip"}, "a word"},
+    {"rounds", std::string("auto"), 1.0, 20.0, {"auto"}, "a count or a word", true},
 }};
 
 Parameters resolved(const Parameters& given) {
@@ -65,6 +66,19 @@ TEST(Parameter, WordForANumberIsRefused) {
                 resolved({{"length_m", std::string("long")}});
               }),
               HasSubstr("'long': a number"));
+}
+
+TEST(Parameter, AWholeNumberOrAWordWhereBothAreAllowed) {
+  EXPECT_EQ(number_unless_word(resolved({}), "rounds"), std::nullopt);
+  EXPECT_EQ(number_unless_word(resolved({{"rounds", 20.0}}), "rounds"), 20.0);
+  for (const ParameterValue& value :
+       {ParameterValue(1.5), ParameterValue(0.0), ParameterValue(21.0),
+        ParameterValue(std::numeric_limits<double>::infinity()), ParameterValue("many")}) {
+    EXPECT_THAT(refusal([&] {
+                  resolved({{"rounds", value}});
+                }),
+                testing::EndsWith("': auto or a whole number from 1 to 20"));
+  }
 }
 
 TEST(Parameter, UnknownWordIsRefused) {

@@ -118,6 +118,7 @@ TEST_F(TrackFile, BadCsvIsRefusedWithItsLine) {
 TEST_F(TrackFile, TooFewPointsAreRefused) {
   EXPECT_EQ(refused("x,y\n1,1\n"),
             ": '1 points': a track has at least two different points that follow each other");
+  EXPECT_THAT(refused("x,y,x\n1,1,9\n5,5,9\n"), HasSubstr("line 1, x: the column stands twice"));
   EXPECT_THAT(refused("x,y\n1,1\n1,1\n"), HasSubstr("'2 points': a track has at least two"));
 }
 

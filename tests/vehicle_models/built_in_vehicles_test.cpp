@@ -64,6 +64,15 @@ TEST_P(BuiltInVehicle, StandsOnTheSideSlopesThatSuchMachinesStandOn) {
   EXPECT_LT(side_stability_angle_rad(vehicle), 55.0 * kDegree);
 }
 
+// The slope turned until the weight's line passes the rear axle: the mass centre's x and height.
+TEST_P(BuiltInVehicle, LiftsItsNoseOnlyOnSlopesThatAreTooSteepAnyway) {
+  const double x_m = (vehicle.body.mass_kg * vehicle.body.com_B.x() +
+                      vehicle.implement.mass_kg * vehicle.implement.x_B_m) /
+                     total_mass_kg(vehicle);
+  EXPECT_NEAR(std::tan(nose_up_stability_angle_rad(vehicle)), x_m / vehicle.body.com_B.z(), 1e-12);
+  EXPECT_GT(nose_up_stability_angle_rad(vehicle), std::atan(0.25));
+}
+
 TEST_P(BuiltInVehicle, ClimbsAQuarterWithTheImplementRaised) {
   const double climb = max_grade(vehicle, kSoftRolling);
   EXPECT_GT(climb, 0.25);

@@ -1,11 +1,11 @@
-#include "evaluate/json_text.h"
+#include "terrains/json_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "evaluate/atomic_file.h"
 #include "terrains/input_error.h"
+#include "terrains/input_file.h"
 
 namespace headland {
 
@@ -17,7 +17,8 @@ nlohmann::ordered_json parse_json(const std::filesystem::path& file) {
     const std::size_t end = std::min(error.byte, text.size());
     const auto line =
         1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-    throw InputError(file.string(), fmt::format("line {}", line), "", "malformed JSON");
+    throw InputError(file.string(), fmt::format("line {}", line), "",
+                     fmt::format("malformed JSON (character {})", error.byte));
   } catch (const nlohmann::ordered_json::exception& error) {
     // A number beyond every double; the library's text quotes it.
     throw InputError(file.string(), "", "", fmt::format("malformed JSON: {}", error.what()));

@@ -7,7 +7,7 @@
 
 namespace headland {
 
-// Throws InputError for a missing file and, with the line, for malformed JSON.
+// Throws InputError as read_text does and, with the line, for malformed JSON.
 nlohmann::ordered_json parse_json(const std::filesystem::path& file);
 
 // Compact, or indented by `indent` spaces. Bytes that are not UTF-8 are replaced, numbers that are
