@@ -63,7 +63,10 @@ Eigen::Vector2d point_of(const YamlSection& section, std::string_view key, const
     const std::optional<double> y = parse_number(node[1].Scalar());
     if (x && y) return {*x, *y};
   }
-  refuse(section, key, node, "a point [x, y] of two finite numbers", item);
+  const std::string wanted = "a point [x, y] of two finite numbers";
+  if (!node.IsSequence()) refuse(section, key, node, wanted, item);
+  throw InputError(section.source, line_of(node) + ": " + joined(section.path, key) + item,
+                   shown(node), wanted + " is needed");
 }
 
 std::vector<Eigen::Vector2d> points_of(const YamlSection& section, std::string_view key,

@@ -292,9 +292,10 @@ TEST_F(ScenarioTest, RefusesValuesOutOfTheirRange) {
 }
 
 TEST_F(ScenarioTest, RefusesWhatIsNoCoordinate) {
-  EXPECT_THAT(refusal("field: {boundary: [[0, 0], [1, x], [0, 1]]}\nvehicle: transplanter\n"),
-              HasSubstr("line 1: field.boundary point 2: '[1, x]': a point [x, y] of two finite "
-                        "numbers is needed"));
+  EXPECT_THAT(
+      refusal("field: {boundary: [[0, 0], [1, x], [0, 1]]}\nvehicle: transplanter\n"),
+      ::testing::EndsWith("line 1: field.boundary point 2: '[1, x]': a point [x, y] of two finite "
+                          "numbers is needed"));
   EXPECT_THAT(refusal("field: {boundary: [[0, 0], [1, .inf], [0, 1]]}\nvehicle: transplanter\n"),
               HasSubstr("finite"));
   EXPECT_THAT(refusal("field: {boundary: 7}\nvehicle: transplanter\n"), HasSubstr("'7'"));
