@@ -75,7 +75,9 @@ Json vehicles_json() {
     list.push_back({{"name", vehicle.name},
                     {"what", vehicle.description},
                     {"mass_kg", total_mass_kg(vehicle)},
-                    {"motor_power_w", vehicle.motor.max_power_w},
+                    {"steering", steering_word(vehicle.steering.kind)},
+                    {"motors", motor_count(vehicle)},
+                    {"motor_power_w", motor_count(vehicle) * vehicle.motor.max_power_w},
                     {"battery_ah", battery.capacity_ah},
                     {"implement", vehicle.implement.name},
                     {"working_width_m", vehicle.implement.working_width_m},
@@ -110,11 +112,12 @@ std::string entry_text(const Json& entry) {
                        entry["source"].get<std::string>());
   }
   return fmt::format(
-      "{:<16} {}\n    {:.0f} kg with implement, {:.1f} kW, {:.0f} Ah, {} {:.4g} m wide, turns on "
-      "{:.2f} m\n",
+      "{:<24} {}\n    {:.0f} kg with implement, {:.1f} kW, {:.0f} Ah, {} {:.4g} m wide, {} steering, "
+      "turns on {:.2f} m\n",
       name, entry["what"].get<std::string>(), entry["mass_kg"].get<double>(),
       entry["motor_power_w"].get<double>() / 1000.0, entry["battery_ah"].get<double>(),
       entry["implement"].get<std::string>(), entry["working_width_m"].get<double>(),
+      entry["steering"].get<std::string>(),
       entry["turning_radius_m"].get<double>());
 }
 

@@ -23,10 +23,56 @@ constexpr Rgba kTool{150, 154, 158};
 
 Eigen::Isometry3d moved(const Point& p) { return Eigen::Isometry3d(Eigen::Translation3d(p)); }
 
+Rgba colour_of(const std::array<double, 3>& rgb) {
+  const auto byte = [](double share) {
+    return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
+  };
+  return {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])};
+}
+
 Mesh plain_body(const Body& body) {
   const double front_m = body.length_m - body.rear_overhang_m;
   return box_mesh({-body.rear_overhang_m, -0.5 * body.width_m, body.ground_clearance_m},
                   {front_m, 0.5 * body.width_m, body.height_m}, kPlainBody);
+}
+
+// The mesh of a file, stretched by the shape's factors.
+Mesh stretched_mesh(const Shape& shape) {
+  Mesh mesh = read_mesh(shape.mesh_file);
+  const Eigen::Vector3f factors = shape.size.cast<float>();
+  for (MeshVertex& vertex : mesh.vertices) {
+    vertex.p = vertex.p.cwiseProduct(factors);
+    vertex.normal = vertex.normal.cwiseQuotient(factors).normalized();
+    if (shape.rgb) vertex.colour = colour_of(*shape.rgb);
+  }
+  return mesh;
+}
+
+void append_shape(Mesh& mesh, const Shape& shape) {
+  const Rgba colour = shape.rgb ? colour_of(*shape.rgb) : kPlainBody;
+  constexpr int kSides = 32;
+  std::vector<Eigen::Vector2d> profile;
+  switch (shape.kind) {
+    case ShapeKind::kMesh:
+      append(mesh, stretched_mesh(shape), shape.X);
+      return;
+    case ShapeKind::kBox:
+      append(mesh, box_mesh(-0.5 * shape.size, 0.5 * shape.size, colour), shape.X);
+      return;
+    case ShapeKind::kCylinder: {
+      const double half_m = 0.5 * shape.size.z();
+      profile = {
+          {0.0, -half_m}, {shape.size.x(), -half_m}, {shape.size.x(), half_m}, {0.0, half_m}};
+      break;
+    }
+    case ShapeKind::kSphere:
+      for (int k = 0; k <= kSides / 2; ++k) {
+        const double angle = std::numbers::pi * (2.0 * k / kSides - 0.5);
+        profile.emplace_back(shape.size.x() * std::cos(angle), shape.size.x() * std::sin(angle));
+      }
+      break;
+  }
+  append(mesh, revolved_mesh(profile, kSides, colour), shape.X);
 }
 
 // Axis along y, centre at the origin.
@@ -73,6 +119,21 @@ Mesh wheel_mesh(const Axle& axle) {
   return wheel;
 }
 
+double wheel_steer_rad(const Vehicle& vehicle, const Axle& axle, double steer_rad, bool front,
+                       bool left) {
+  const double half_track_m = 0.5 * axle.track_m;
+  switch (vehicle.steering.kind) {
+    case SteeringKind::kFront:
+      return front ? ackermann_rad(steer_rad, wheelbase_m(vehicle), half_track_m, left) : 0.0;
+    case SteeringKind::kFourWheel:
+      return (front ? 1.0 : -1.0) *
+             ackermann_rad(steer_rad, 0.5 * wheelbase_m(vehicle), half_track_m, left);
+    case SteeringKind::kSkid:
+      break;
+  }
+  return 0.0;
+}
+
 void append_wheels(Mesh& mesh, const Vehicle& vehicle, const RunSample& sample) {
   for (std::size_t i = 0; i < sample.wheel_angle_rad.size(); ++i) {
     const bool front = i >= 2;
@@ -80,9 +141,7 @@ void append_wheels(Mesh& mesh, const Vehicle& vehicle, const RunSample& sample) 
     if (!(axle.radius_m > 0.0)) continue;
     const bool left = i % 2 == 0;
     const double left_m = (left ? 0.5 : -0.5) * axle.track_m;
-    const double steer =
-        front ? ackermann_rad(sample.steer_rad, wheelbase_m(vehicle), 0.5 * axle.track_m, left)
-              : 0.0;
+    const double steer = wheel_steer_rad(vehicle, axle, sample.steer_rad, front, left);
     const Eigen::Isometry3d X = moved({axle.x_B_m, left_m, axle.radius_m}) *
                                 Eigen::AngleAxisd(steer, Point::UnitZ()) *
                                 Eigen::AngleAxisd(sample.wheel_angle_rad[i], Point::UnitY());
@@ -139,17 +198,14 @@ void append_implement(Mesh& mesh, const Vehicle& vehicle, bool down) {
 
 VehicleMesh body_mesh(const Vehicle& vehicle) {
   VehicleMesh out;
-  if (vehicle.mesh_file.empty()) {
-    out.note = "no mesh: plain box";
-    out.mesh = plain_body(vehicle.body);
-  } else {
-    try {
-      out.mesh = read_mesh(vehicle.mesh_file);
-    } catch (const InputError&) {
-      out.note = vehicle.mesh_file.filename().string() + " cannot be read: plain box";
-      out.mesh = plain_body(vehicle.body);
-    }
+  try {
+    for (const Shape& shape : vehicle.shapes) append_shape(out.mesh, shape);
+    if (vehicle.shapes.empty()) out.note = "no mesh: plain box";
+  } catch (const InputError& unread) {
+    out.note =
+        std::filesystem::path(unread.source).filename().string() + " cannot be read: plain box";
   }
+  if (!out.note.empty()) out.mesh = plain_body(vehicle.body);
   return out;
 }
 

@@ -16,8 +16,8 @@ struct VehicleMesh {
   std::string note;  // why the body is a plain box; empty when it is not
 };
 
-// The body alone: from the vehicle's mesh file, or a plain box of the hull's size when there is
-// none or it cannot be read.
+// The body alone: from the vehicle's shapes, or a plain box of the hull's size when there are
+// none or a mesh cannot be read.
 VehicleMesh body_mesh(const Vehicle& vehicle);
 
 // The body, wheels turned and steered, implement lowered or raised as in the sample.

@@ -13,7 +13,7 @@ packages=(
   # maps, geometry, curves
   libgdal-dev libgeos-dev libompl-dev
   # files and the command line
-  libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev
+  liburdfdom-dev libtinyxml-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev
   # pictures
   libosmesa6-dev libassimp-dev libpng-dev libfreetype-dev fonts-dejavu-core
   # tests and benchmarks

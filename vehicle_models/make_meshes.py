@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes the body meshes of the built-in vehicles: NAME/NAME.obj and NAME/NAME.mtl.
+"""Writes the body meshes of the built-in vehicles: NAME/meshes/NAME.obj and .mtl.
 
 Run it from anywhere, without arguments, after changing a shape; the meshes are kept beside it.
 Needs only Python's standard library. Frame B: origin on the ground below the rear axle, x forward,
 y left, z up, metres. Wheels and implement are not in the mesh: they move, so the renderer draws
-them from vehicle.yaml.
+them from their sizes.
 """
 import math
 import pathlib
@@ -94,7 +94,8 @@ class Mesh:
             self.face(material, [base[k], base[(k + 1) % 4], (x, y, z + height)])
 
     def write(self, name):
-        folder = pathlib.Path(__file__).resolve().parent / name
+        folder = pathlib.Path(__file__).resolve().parent / name / "meshes"
+        folder.mkdir(exist_ok=True)
         lines = ["# Body of the %s, frame B, metres; written by make_meshes.py" % name,
                  "mtllib %s.mtl" % name, "o %s" % name]
         lines += ["v %g %g %g" % key for key in self.vertices]
@@ -214,5 +215,81 @@ def transplanter():
     mesh.write("transplanter")
 
 
+def horticultural_tractor():
+    mesh = Mesh()
+    mesh.both_sides("chassis", (-0.25, 1.45), (0.16, 0.22), (0.26, 0.34))  # frame
+    mesh.bar("chassis", (0.0, -0.36, 0.28), (0.0, 0.36, 0.28), 0.035)  # rear axle
+    mesh.bar("chassis", (1.2, -0.37, 0.21), (1.2, 0.37, 0.21), 0.025)  # front axle
+    mesh.both_sides("chassis", (1.16, 1.24), (0.10, 0.16), (0.21, 0.30))
+    mesh.box("chassis", (-0.10, 0.12), (-0.16, 0.16), (0.24, 0.42))  # gear and motor
+    mesh.box("steel", (0.05, 1.30), (-0.36, 0.36), (0.34, 0.37))  # deck
+    mesh.box("battery", (0.86, 1.30), (-0.22, 0.22), (0.37, 0.66))
+    mesh.loft("paint", [bonnet_section(0.80, 0.26, 0.37, 0.72, 0.80), bonnet_section(1.40, 0.25, 0.36, 0.66, 0.74),
+                        bonnet_section(1.62, 0.20, 0.34, 0.52, 0.58)])
+    mesh.both_sides("lamp", (1.57, 1.64), (0.09, 0.17), (0.45, 0.52))
+    mesh.box("chassis", (-0.12, 0.22), (-0.16, 0.16), (0.37, 0.60))  # seat carrier
+    seat(mesh, -0.12, 0.60, 0.20)
+    steering_wheel(mesh, (0.56, 0.0, 0.92), 0.15)
+    for side in ((0.36, 0.49), (-0.49, -0.36)):
+        mesh.fender("paint", 0.0, 0.29, 0.34, side, 150, 30, 0.02, 6)
+    mesh.bar("chassis", (0.84, 0.20, 0.70), (0.84, 0.20, 1.22), 0.018, 6)  # antenna mast
+    mesh.bar("roof", (0.84, 0.20, 1.22), (0.84, 0.20, 1.28), 0.07, 10)  # satellite receiver
+    for y in (-0.24, 0.24):
+        mesh.bar("steel", (-0.10, y, 0.30), (-0.44, y, 0.26), 0.02, 6)  # lower links
+    mesh.write("horticultural_tractor")
+
+
+def skid_steer_robot():
+    # The side units carry the wheels; the chassis hangs between them.
+    mesh = Mesh()
+    mesh.box("chassis", (-0.215, 1.135), (-0.35, 0.35), (0.26, 0.56))
+    mesh.box("steel", (-0.12, 1.04), (-0.34, 0.34), (0.56, 0.58))  # top plate
+    for left, right in ((0.43, 0.56), (-0.56, -0.43)):
+        mesh.loft("paint_light", [
+            [(-0.15, left, 0.28), (1.07, left, 0.28), (1.07, right, 0.28), (-0.15, right, 0.28)],
+            [(-0.20, left, 0.40), (1.12, left, 0.40), (1.12, right, 0.40), (-0.20, right, 0.40)],
+            [(0.10, left, 0.66), (0.82, left, 0.66), (0.82, right, 0.66), (0.10, right, 0.66)]])
+        mesh.bar("chassis", (0.46, 0.8 * left, 0.45), (0.46, 0.8 * right, 0.45), 0.05)
+    for side in ((0.43, 0.685), (-0.685, -0.43)):
+        for x in (0.0, 0.92):
+            mesh.fender("paint_light", x, 0.30, 0.34, side, 145, 35, 0.02, 6)
+    mesh.both_sides("battery", (0.02, 0.44), (0.05, 0.32), (0.58, 0.72))
+    mesh.box("tray", (0.55, 0.95), (-0.22, 0.22), (0.58, 0.70))  # tank
+    mesh.bar("steel", (0.98, 0.0, 0.58), (0.98, 0.0, 0.80), 0.02, 8)
+    mesh.bar("roof", (0.98, 0.0, 0.78), (0.98, 0.0, 0.83), 0.07, 12)  # lidar
+    for y in (-0.28, 0.28):
+        mesh.bar("steel", (-0.08, y, 0.58), (-0.08, y, 0.74), 0.012, 6)
+        mesh.bar("roof", (-0.08, y, 0.74), (-0.08, y, 0.78), 0.06, 10)  # two satellite antennas
+    mesh.both_sides("lamp", (1.13, 1.15), (0.20, 0.30), (0.44, 0.50))
+    mesh.write("skid_steer_robot")
+
+
+def four_wheel_steer_robot():
+    mesh = Mesh()
+    mesh.both_sides("chassis", (-0.50, 2.50), (0.42, 0.54), (0.96, 1.10))  # beams over the wheels
+    for x in (0.0, 2.0):
+        mesh.box("chassis", (x - 0.08, x + 0.08), (-0.54, 0.54), (0.98, 1.08))
+        mesh.both_sides("steel", (x - 0.07, x + 0.07), (0.54, 0.62), (0.94, 1.12))  # kingpin heads
+        for y in (-0.60, 0.60):
+            mesh.bar("steel", (x, y, 0.50), (x, y, 1.16), 0.045)  # kingpins
+            mesh.bar("chassis", (x, y, 0.50), (x, 1.27 * y, 0.50), 0.09, 12)  # hub motors
+    for y in (-0.42, 0.42):
+        mesh.loft("battery", [[(x, y + s, z) for x, s in ((0.62, -0.16), (1.38, -0.16), (1.38, 0.16), (0.62, 0.16))]
+                              for z in (0.46, 0.96)])
+    mesh.box("chassis", (0.50, 1.50), (-0.56, 0.56), (1.10, 1.14))
+    mesh.loft("paint", [bonnet_section(-0.42, 0.50, 1.10, 1.28, 1.36), bonnet_section(0.40, 0.52, 1.10, 1.34, 1.44),
+                        bonnet_section(1.60, 0.52, 1.10, 1.34, 1.44), bonnet_section(2.42, 0.50, 1.10, 1.26, 1.34)])
+    mesh.both_sides("lamp", (2.40, 2.44), (0.28, 0.42), (1.16, 1.24))
+    mesh.box("steel", (2.46, 2.58), (-0.70, 0.70), (0.90, 1.00))  # bumper
+    mesh.both_sides("steel", (2.40, 2.50), (0.42, 0.54), (0.90, 1.00))
+    for y in (-0.40, 0.40):
+        mesh.bar("roof", (1.0, y, 1.44), (1.0, y, 1.50), 0.08, 12)  # two satellite antennas
+        mesh.bar("steel", (-0.50, y, 0.98), (-0.60, y, 0.70), 0.03, 6)  # hitch frame
+    mesh.write("four_wheel_steer_robot")
+
+
 utility_tractor()
 transplanter()
+horticultural_tractor()
+skid_steer_robot()
+four_wheel_steer_robot()

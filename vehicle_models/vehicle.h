@@ -8,9 +8,12 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "vehicle_models/implement.h"
 #include "vehicle_models/powertrain.h"
+#include "vehicle_models/shape.h"
 
 namespace headland {
 
@@ -44,6 +47,9 @@ enum class SteeringKind {
   kSkid,       // no steered wheels: the sides turn at different speeds, also on the spot
 };
 
+// As in a drive.yaml: "front", "four_wheel" or "skid".
+std::string_view steering_word(SteeringKind kind);
+
 struct Steering {
   SteeringKind kind = SteeringKind::kFront;
   double max_angle_rad = 0.0;  // of the virtual front wheel on the centre line; not for skid
@@ -69,7 +75,8 @@ struct Vehicle {
   std::string name;
   std::string description;
   std::filesystem::path folder;
-  std::filesystem::path mesh_file;  // body without wheels, frame B, metres; see render/
+  std::vector<Shape> shapes;       // the body without wheels as it is drawn, in B; none: its hull
+  std::vector<std::string> notes;  // what was read with a reservation, for people
   Body body;
   Axle rear;
   Axle front;
@@ -98,5 +105,8 @@ double planning_turning_radius_m(const Vehicle& vehicle);
 
 // Mass with implement [kg].
 double total_mass_kg(const Vehicle& vehicle);
+
+// Motors that drive it: one, or one at each wheel of the driven axles.
+int motor_count(const Vehicle& vehicle);
 
 }  // namespace headland

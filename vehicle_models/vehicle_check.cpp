@@ -88,6 +88,39 @@ void check_axles(const Vehicle& vehicle, const std::string& source) {
   }
 }
 
+void check_steering(const Vehicle& vehicle, const std::string& source) {
+  const Steering& steering = vehicle.steering;
+  const auto need = [&](std::string_view key, double value, std::string_view kind) {
+    if (value > 0.0) return;
+    throw InputError(source, fmt::format("steering.{}", key), "",
+                     fmt::format("missing key: {} steering needs it", kind));
+  };
+  if (steering.kind == SteeringKind::kSkid) {
+    need("max_yaw_rate_deg_per_s", steering.max_yaw_rate_rad_per_s, "skid");
+    need("turning_radius_m", steering.turning_radius_m, "skid");
+    if (!vehicle.drivetrain.motor_per_wheel) {
+      throw InputError(source, "drivetrain.driven", "",
+                       "skid steering turns by its motors: must be per_wheel");
+    }
+  } else {
+    need("max_rate_deg_per_s", steering.max_rate_rad_per_s, "wheel");
+  }
+}
+
+void check_trailing(const Vehicle& vehicle, const std::string& source) {
+  const auto& trailing = vehicle.implement.trailing;
+  if (!trailing) return;
+  if (trailing->hitch_x_B_m > 0.0) {
+    refuse(source, "trailing.hitch_x_B_m", trailing->hitch_x_B_m,
+           "must be at or behind the rear axle, at most 0 m");
+  }
+  if (vehicle.implement.x_B_m >= trailing->hitch_x_B_m) {
+    refuse(source, "implement.x_B_m", vehicle.implement.x_B_m,
+           fmt::format("a trailed implement works behind its hitch, below {:g} m",
+                       trailing->hitch_x_B_m));
+  }
+}
+
 void check_drive(const Vehicle& vehicle, const std::string& source) {
   const Driver& driver = vehicle.driver;
   const double fastest_mps = std::max({driver.work_speed_mps, driver.turn_speed_mps,
@@ -116,7 +149,8 @@ void check_drive(const Vehicle& vehicle, const std::string& source) {
 }
 
 void check_power(const Vehicle& vehicle, const std::string& source) {
-  const double wanted_w = motor_peak_input_w(vehicle.motor) + vehicle.implement.shaft_power_w +
+  const double wanted_w = drive_peak_input_w(vehicle) +
+                          vehicle.implement.shaft_power_w / vehicle.implement.shaft_efficiency +
                           vehicle.battery.auxiliary_power_w;
   const double available_w = max_battery_power_w(vehicle.battery);
   if (available_w < wanted_w) {
@@ -132,6 +166,8 @@ void check_power(const Vehicle& vehicle, const std::string& source) {
 void check_vehicle(const Vehicle& vehicle, const std::string& source) {
   check_body(vehicle, source);
   check_axles(vehicle, source);
+  check_steering(vehicle, source);
+  check_trailing(vehicle, source);
   check_drive(vehicle, source);
   check_power(vehicle, source);
 }

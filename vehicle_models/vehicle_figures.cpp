@@ -9,29 +9,71 @@ namespace {
 constexpr double kLeadAcidNominal_v = 2.0;
 constexpr double kLfpNominal_v = 3.2;
 constexpr double kLfpEmpty_v = 2.9;
+constexpr double kPeukertRate_h = 20.0;  // lead-acid capacities are given for it
+
+// On the vehicle's wheels; a trailed implement is not.
+double mounted_kg(const Vehicle& vehicle) {
+  return vehicle.implement.trailing ? 0.0 : vehicle.implement.mass_kg;
+}
+
+double carried_kg(const Vehicle& vehicle) { return vehicle.body.mass_kg + mounted_kg(vehicle); }
+
+// Force [N] that rolls vehicle and trailed implement along the flat.
+double rolling_n(const Vehicle& vehicle, double rolling_resistance) {
+  double force_n = kGravity_mps2 * carried_kg(vehicle) * rolling_resistance;
+  if (const auto& trailing = vehicle.implement.trailing) {
+    const double own = trailing->rolling_resistance;
+    force_n += kGravity_mps2 * vehicle.implement.mass_kg * (own > 0.0 ? own : rolling_resistance);
+  }
+  return force_n;
+}
 
 double driven_radius_m(const Vehicle& vehicle) {
   return vehicle.rear.driven ? vehicle.rear.radius_m : vehicle.front.radius_m;
 }
 
+double motor_input_w(const Motor& motor, double torque_nm, double speed) {
+  return torque_nm * speed + motor.copper_loss_kc * torque_nm * torque_nm +
+         motor.iron_loss_ki * speed + motor.windage_loss_kw * std::pow(speed, 3) +
+         motor.constant_loss_w;
+}
+
 }  // namespace
 
+Eigen::Vector3d total_com_B(const Vehicle& vehicle) {
+  const Implement& implement = vehicle.implement;
+  const Eigen::Vector3d implement_B(implement.x_B_m, 0.0, implement.com_height_m);
+  return (vehicle.body.mass_kg * vehicle.body.com_B + mounted_kg(vehicle) * implement_B) /
+         carried_kg(vehicle);
+}
+
 AxleLoads static_axle_loads(const Vehicle& vehicle) {
-  const double moment_kg_m = vehicle.body.mass_kg * vehicle.body.com_B.x() +
-                             vehicle.implement.mass_kg * vehicle.implement.x_B_m;
-  const double front_kg = moment_kg_m / wheelbase_m(vehicle);
-  return {kGravity_mps2 * (total_mass_kg(vehicle) - front_kg), kGravity_mps2 * front_kg};
+  const double front_share = total_com_B(vehicle).x() / wheelbase_m(vehicle);
+  const double weight_n = kGravity_mps2 * carried_kg(vehicle);
+  return {(1.0 - front_share) * weight_n, front_share * weight_n};
 }
 
 double side_stability_angle_rad(const Vehicle& vehicle) {
-  const double track_m = std::max(vehicle.rear.track_m, vehicle.front.track_m);
-  return std::atan(track_m / (2.0 * vehicle.body.com_B.z()));
+  const Eigen::Vector3d com_B = total_com_B(vehicle);
+  const double front_share = com_B.x() / wheelbase_m(vehicle);
+  // Half track and height of the tipping line below the centre of mass.
+  const auto support = [](const Axle& axle) {
+    return axle.oscillation_max_rad > 0.0 ? Eigen::Vector2d(0.0, axle.radius_m)
+                                          : Eigen::Vector2d(0.5 * axle.track_m, 0.0);
+  };
+  const Eigen::Vector2d line =
+      (1.0 - front_share) * support(vehicle.rear) + front_share * support(vehicle.front);
+  return std::atan2(line.x(), com_B.z() - line.y());
 }
 
 double nose_up_stability_angle_rad(const Vehicle& vehicle) {
-  const AxleLoads loads = static_axle_loads(vehicle);
-  const double ahead_m = wheelbase_m(vehicle) * loads.front_n / (loads.rear_n + loads.front_n);
-  return std::atan(ahead_m / vehicle.body.com_B.z());
+  const Eigen::Vector3d com_B = total_com_B(vehicle);
+  return std::atan2(com_B.x(), com_B.z());
+}
+
+double nose_down_stability_angle_rad(const Vehicle& vehicle) {
+  const Eigen::Vector3d com_B = total_com_B(vehicle);
+  return std::atan2(wheelbase_m(vehicle) - com_B.x(), com_B.z());
 }
 
 double top_speed_mps(const Vehicle& vehicle) {
@@ -43,10 +85,11 @@ double drive_force_n(const Vehicle& vehicle, double speed_mps) {
   if (speed_mps > top_speed_mps(vehicle)) return 0.0;
   const double radius_m = driven_radius_m(vehicle);
   const double efficiency = vehicle.drivetrain.efficiency;
+  const int motors = motor_count(vehicle);
   const double by_torque_n =
-      vehicle.motor.max_torque_nm * vehicle.drivetrain.gear_ratio * efficiency / radius_m;
+      motors * vehicle.motor.max_torque_nm * vehicle.drivetrain.gear_ratio * efficiency / radius_m;
   if (speed_mps <= 0.0) return by_torque_n;
-  return std::min(by_torque_n, vehicle.motor.max_power_w * efficiency / speed_mps);
+  return std::min(by_torque_n, motors * vehicle.motor.max_power_w * efficiency / speed_mps);
 }
 
 double max_grade(const Vehicle& vehicle, double rolling_resistance) {
@@ -58,12 +101,59 @@ double max_grade(const Vehicle& vehicle, double rolling_resistance) {
   return std::tan(std::max(angle_rad, 0.0));
 }
 
+double max_grade_by_grip(const Vehicle& vehicle, double net_pull, double rolling_resistance) {
+  const double weight_n = kGravity_mps2 * total_mass_kg(vehicle);
+  const AxleLoads loads = static_axle_loads(vehicle);
+  const bool rear = vehicle.rear.driven;
+  const bool front = vehicle.front.driven;
+  const double driven = ((rear ? loads.rear_n : 0.0) + (front ? loads.front_n : 0.0)) / weight_n;
+  const double lift =
+      total_com_B(vehicle).z() / wheelbase_m(vehicle) * (loads.rear_n + loads.front_n) / weight_n;
+  const double shift = (rear ? lift : 0.0) - (front ? lift : 0.0);
+  // pull (driven + shift tan a) = tan a + Crr (1 - driven - shift tan a), over the whole weight;
+  // a trailed implement's own rolling resistance counts as the vehicle's.
+  const double climb = (net_pull * driven - rolling_resistance * (1.0 - driven)) /
+                       (1.0 - (net_pull + rolling_resistance) * shift);
+  return std::max(0.0, climb);
+}
+
+Endurance endurance(const Vehicle& vehicle, double speed_mps, double rolling_resistance,
+                    bool working) {
+  const Implement& implement = vehicle.implement;
+  const Motor& motor = vehicle.motor;
+  const Battery& battery = vehicle.battery;
+  double force_n = rolling_n(vehicle, rolling_resistance);
+  if (working) force_n += implement.draft_n_per_m * implement.working_width_m;
+  Endurance result;
+  if (force_n > drive_force_n(vehicle, speed_mps)) return result;
+  const int motors = motor_count(vehicle);
+  const double speed = speed_mps / driven_radius_m(vehicle) * vehicle.drivetrain.gear_ratio;
+  const double torque_nm = force_n * speed_mps / (motors * vehicle.drivetrain.efficiency * speed);
+  result.power_w = motors * motor_input_w(motor, torque_nm, speed) / motor.inverter_efficiency +
+                   battery.auxiliary_power_w +
+                   (working ? implement.shaft_power_w / implement.shaft_efficiency : 0.0);
+  const double emf_v = nominal_voltage_v(battery);
+  const double resistance_ohm = battery.resistance_ohm + battery.polarisation_resistance_ohm;
+  const double root = emf_v * emf_v - 4.0 * resistance_ohm * result.power_w;
+  if (root < 0.0) return result;
+  double current_a = (emf_v - std::sqrt(root)) / (2.0 * resistance_ohm);
+  const double rated_a = battery.capacity_ah / kPeukertRate_h;
+  if (battery.chemistry == Chemistry::kLeadAcid && current_a > rated_a) {
+    current_a *= std::pow(current_a / rated_a, battery.peukert - 1.0);
+  }
+  result.time_h = battery.capacity_ah * (1.0 - battery.empty_soc) / current_a;
+  result.distance_m = 3600.0 * result.time_h * speed_mps;
+  return result;
+}
+
 double motor_peak_input_w(const Motor& motor) {
   const double speed = std::min(motor.max_power_w / motor.max_torque_nm, motor.max_speed_rad_per_s);
-  return motor.max_torque_nm * speed +
-         motor.copper_loss_kc * motor.max_torque_nm * motor.max_torque_nm +
-         motor.iron_loss_ki * speed + motor.windage_loss_kw * std::pow(speed, 3) +
-         motor.constant_loss_w;
+  return motor_input_w(motor, motor.max_torque_nm, speed);
+}
+
+double drive_peak_input_w(const Vehicle& vehicle) {
+  return motor_count(vehicle) * motor_peak_input_w(vehicle.motor) /
+         vehicle.motor.inverter_efficiency;
 }
 
 double nominal_voltage_v(const Battery& battery) {

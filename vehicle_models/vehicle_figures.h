@@ -1,7 +1,8 @@
 // What follows from a vehicle's numbers before it is driven: loads, speeds, forces, limits.
 //
-// Level ground, at rest, implement raised unless said otherwise; its mass acts at
-// implement.x_B_m.
+// Level ground, at rest, implement raised unless said otherwise; a mounted one's mass acts at
+// implement.x_B_m and com_height_m, a trailed one stands on its own wheels. Tyres are rigid and do
+// not slip.
 #pragma once
 
 #include "vehicle_models/vehicle.h"
@@ -17,12 +18,16 @@ struct AxleLoads {
 };
 AxleLoads static_axle_loads(const Vehicle& vehicle);
 
-// Side slope [rad] on which the uphill wheels lift, at rest: atan(t / 2h) with the wider track.
+// Centre of mass of the machine with a mounted implement, in B [m].
+Eigen::Vector3d total_com_B(const Vehicle& vehicle);
+
+// Side slope [rad] on which the first uphill wheel lifts: with two rigid axles atan(t / 2h), t the
+// track where the centre of mass is. A pivoted axle holds at its pivot only, at hub height.
 double side_stability_angle_rad(const Vehicle& vehicle);
 
-// Slope [rad] up which the front wheels lift, at rest: atan(d / h) with the distance d of the mass
-// ahead of the rear axle.
+// Slope [rad] on which the front wheels (heading uphill) or the rear wheels (downhill) lift.
 double nose_up_stability_angle_rad(const Vehicle& vehicle);
+double nose_down_stability_angle_rad(const Vehicle& vehicle);
 
 // Speed [m/s] at the motor's top speed without slip.
 double top_speed_mps(const Vehicle& vehicle);
@@ -35,8 +40,26 @@ double drive_force_n(const Vehicle& vehicle, double speed_mps);
 // given rolling resistance coefficient, whatever the soil can hold.
 double max_grade(const Vehicle& vehicle, double rolling_resistance);
 
-// Electrical power [W] of the motor at full shaft power and full torque, by its loss model.
+// Steepest slope (rise over run) that the driven wheels can climb steadily by their grip, whatever
+// the motor can do; 0 when they cannot move on the flat. `net_pull` is the largest pull of a driven
+// wheel over its load, `rolling_resistance` that of the others. The slope shifts weight backwards.
+double max_grade_by_grip(const Vehicle& vehicle, double net_pull, double rolling_resistance);
+
+// Steady driving on the flat until the battery is empty, without slip. With the implement down
+// (`working`) draft and shaft power count too.
+struct Endurance {
+  double power_w = 0.0;  // from the battery's terminals
+  double time_h = 0.0;   // 0 when motor or battery cannot hold this speed
+  double distance_m = 0.0;
+};
+Endurance endurance(const Vehicle& vehicle, double speed_mps, double rolling_resistance,
+                    bool working);
+
+// Electrical power [W] of one motor at full shaft power and full torque, by its loss model.
 double motor_peak_input_w(const Motor& motor);
+
+// Electrical power [W] of all motors together with their inverters, at full shaft power.
+double drive_peak_input_w(const Vehicle& vehicle);
 
 // Nominal voltage [V] (2.0 V a lead-acid cell, 3.2 V a LFP cell) and energy [Wh].
 double nominal_voltage_v(const Battery& battery);

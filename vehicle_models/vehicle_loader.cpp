@@ -1,195 +1,121 @@
 #include "vehicle_models/vehicle_loader.h"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <iterator>
-#include <set>
-#include <string_view>
 
 #include "terrains/input_error.h"
-#include "terrains/input_file.h"
+#include "vehicle_models/drive_file.h"
+#include "vehicle_models/robot_body.h"
+#include "vehicle_models/robot_file.h"
+#include "vehicle_models/running_gear.h"
 #include "vehicle_models/vehicle_check.h"
-#include "vehicle_models/vehicle_keys.h"
 
 namespace headland {
 namespace {
 
-constexpr std::string_view kFileName = "vehicle.yaml";
+namespace fs = std::filesystem;
 
-// Where a complaint about a node points to: file, line and key path.
-struct Place {
-  const std::string& file;
-  std::string key;
+constexpr std::string_view kRobotFile = "vehicle.urdf";
+constexpr std::string_view kDriveFile = "drive.yaml";
 
-  [[noreturn]] void refuse(const YAML::Node& node, const std::string& value,
-                           std::string allowed) const {
-    std::string where = key;
-    if (const int line = node.Mark().line + 1; line > 0) {
-      where = fmt::format("line {}{}{}", line, key.empty() ? "" : ": ", key);
-    }
-    throw InputError(file, where, value, std::move(allowed));
-  }
-  Place child(std::string_view name) const {
-    return {file, key.empty() ? std::string(name) : fmt::format("{}.{}", key, name)};
-  }
+struct Range {
+  std::string_view what;
+  double value = 0.0;
+  double min = 0.0;
+  double max = 0.0;
 };
 
-std::string shown(const YAML::Node& node) {
-  if (node.IsScalar()) return node.Scalar();
-  return node.IsNull() ? "" : YAML::Dump(node);
+// Sizes that a robot description in other units or of another kind of robot would miss.
+void check_sizes(const Vehicle& vehicle, const std::string& file) {
+  const Body& body = vehicle.body;
+  const Range ranges[] = {{"mass [kg]", body.mass_kg, 10.0, 60000.0},
+                          {"length [m]", body.length_m, 0.3, 20.0},
+                          {"width [m]", body.width_m, 0.2, 10.0},
+                          {"height [m]", body.height_m, 0.1, 6.0},
+                          {"ground clearance [m]", body.ground_clearance_m, 0.02, 3.0},
+                          {"wheelbase [m]", wheelbase_m(vehicle), 0.3, 10.0},
+                          {"rear track [m]", vehicle.rear.track_m, 0.2, 6.0},
+                          {"front track [m]", vehicle.front.track_m, 0.2, 6.0},
+                          {"rear wheel radius [m]", vehicle.rear.radius_m, 0.05, 2.0},
+                          {"front wheel radius [m]", vehicle.front.radius_m, 0.05, 2.0}};
+  for (const Range& range : ranges) {
+    if (range.value >= range.min && range.value <= range.max) continue;
+    throw InputError(file, std::string(range.what), fmt::format("{:.4g}", range.value),
+                     fmt::format("must be from {:g} to {:g}", range.min, range.max));
+  }
 }
 
-// Establishes that `node` is a map of exactly `keys`.
-void check_keys(const YAML::Node& node, const Place& place, const std::vector<std::string>& keys) {
-  if (!node.IsMap()) place.refuse(node, shown(node), "must be a map of keys");
-  std::set<std::string> seen;
-  for (const auto& entry : node) {
-    const std::string key = entry.first.Scalar();
-    const Place here = place.child(key);
-    if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-      here.refuse(
-          entry.first, "",
-          fmt::format("unknown key; the nearest known one is '{}'", nearest_name(key, keys)));
+void place_axle(const Wheel& left, const Wheel& right, const Eigen::Vector3d& origin_R,
+                Axle& axle) {
+  axle.x_B_m = 0.5 * (left.centre_R.x() + right.centre_R.x()) - origin_R.x();
+  axle.track_m = left.centre_R.y() - right.centre_R.y();
+  axle.radius_m = left.radius_m;
+  axle.width_m = left.width_m;
+  axle.wheel_inertia_kg_m2 = left.inertia_kg_m2;
+  axle.oscillation_max_rad = left.pivot_rad.value_or(0.0);
+}
+
+void apply_robot(const Robot& robot, const std::string& drive_file, Vehicle& vehicle) {
+  RunningGear gear = find_running_gear(robot);
+  place_axle(gear.wheels[0], gear.wheels[1], gear.origin_R, vehicle.rear);
+  place_axle(gear.wheels[2], gear.wheels[3], gear.origin_R, vehicle.front);
+  // Exactly the origin of B, whatever the sums above were rounded to.
+  vehicle.rear.x_B_m = 0.0;
+  vehicle.body = body_of(robot, gear);
+  vehicle.shapes = body_shapes(robot, gear);
+  vehicle.notes = std::move(gear.notes);
+  if (gear.steering != vehicle.steering.kind) {
+    throw InputError(drive_file, "steering.kind", std::string(steering_word(vehicle.steering.kind)),
+                     fmt::format("the steering joints of {} make it '{}' (revolute joints about z "
+                                 "between the root and the wheels steer)",
+                                 kRobotFile, steering_word(gear.steering)));
+  }
+  vehicle.steering.max_angle_rad = gear.max_angle_rad;
+}
+
+// The rotors turn with the wheels, seen through the gear.
+void add_rotors(Vehicle& vehicle) {
+  const Drivetrain& drivetrain = vehicle.drivetrain;
+  const int driven =
+      2 * (static_cast<int>(vehicle.rear.driven) + static_cast<int>(vehicle.front.driven));
+  const double seen_kg_m2 =
+      vehicle.motor.rotor_inertia_kg_m2 * drivetrain.gear_ratio * drivetrain.gear_ratio;
+  const double share_kg_m2 = drivetrain.motor_per_wheel ? seen_kg_m2 : seen_kg_m2 / driven;
+  for (Axle* axle : {&vehicle.rear, &vehicle.front}) {
+    if (axle->driven) axle->wheel_inertia_kg_m2 += share_kg_m2;
+  }
+}
+
+void note_missing_meshes(Vehicle& vehicle) {
+  for (const Shape& shape : vehicle.shapes) {
+    if (shape.kind == ShapeKind::kMesh && !fs::is_regular_file(shape.mesh_file)) {
+      vehicle.notes.push_back(
+          fmt::format("mesh {}: no such file; a plain box is drawn",
+                      shape.mesh_file.lexically_relative(vehicle.folder).string()));
     }
-    if (!seen.insert(key).second) here.refuse(entry.first, "", "stands twice");
-  }
-  for (const std::string& key : keys) {
-    if (!seen.contains(key)) place.child(key).refuse(node, "", "missing key");
   }
 }
 
-std::vector<std::string> names_of(const std::vector<VehicleKey>& keys) {
-  std::vector<std::string> names(keys.size());
-  std::transform(keys.begin(), keys.end(), names.begin(),
-                 [](const VehicleKey& key) { return std::string(key.key); });
-  return names;
-}
-
-double read_number(const YAML::Node& node, const Place& place, double min, double max) {
-  const std::string written = shown(node);
-  double value = 0.0;
-  const char* const end = written.data() + written.size();
-  const auto [rest, error] = std::from_chars(written.data(), end, value);
-  const bool ok = node.IsScalar() && error == std::errc() && rest == end && std::isfinite(value) &&
-                  value >= min && value <= max;
-  if (!ok) {
-    place.refuse(node, written,
-                 min == max ? fmt::format("must be {:g}", min)
-                            : fmt::format("must be a number from {:g} to {:g}", min, max));
-  }
-  return value;
-}
-
-// The `value` of a node {value: ..., source: "..."}.
-YAML::Node sourced_value(const YAML::Node& node, const Place& place) {
-  if (!node.IsMap()) {
-    place.refuse(node, shown(node),
-                 fmt::format("a number needs its source: {{value: {}, source: \"assumed: why\"}}",
-                             shown(node)));
-  }
-  check_keys(node, place, {"value", "source"});
-  const YAML::Node source = node["source"];
-  if (!source.IsScalar() || source.Scalar().empty()) {
-    place.child("source").refuse(source, shown(source),
-                                 "must say where the number is from, or 'assumed: why'");
-  }
-  return node["value"];
-}
-
-Eigen::Vector3d read_vector(const YAML::Node& node, const Place& place, double min, double max) {
-  if (!node.IsSequence() || node.size() != 3) {
-    place.refuse(node, shown(node), "must be a list of three numbers");
-  }
-  Eigen::Vector3d vector;
-  for (int i = 0; i < 3; ++i) vector[i] = read_number(node[i], place, min, max);
-  return vector;
-}
-
-void read_key(const YAML::Node& node, const Place& place, const VehicleKey& spec) {
-  if (spec.number != nullptr) {
-    *spec.number = spec.scale * read_number(sourced_value(node, place), place, spec.min, spec.max);
-  } else if (spec.integer != nullptr) {
-    const YAML::Node value = sourced_value(node, place);
-    const double read = read_number(value, place, spec.min, spec.max);
-    if (read != std::floor(read)) place.refuse(value, shown(value), "must be a whole number");
-    *spec.integer = static_cast<int>(read);
-  } else if (spec.vector != nullptr) {
-    *spec.vector = read_vector(sourced_value(node, place), place, spec.min, spec.max);
-  } else if (spec.flag != nullptr) {
-    if (!YAML::convert<bool>::decode(node, *spec.flag)) {
-      place.refuse(node, shown(node), "must be true or false");
-    }
-  } else if (spec.text != nullptr) {
-    if (!node.IsScalar() || node.Scalar().empty())
-      place.refuse(node, shown(node), "must be a name");
-    *spec.text = node.Scalar();
-  } else {
-    const std::string word = shown(node);
-    if (word != "lead_acid" && word != "lfp") {
-      place.refuse(node, word, "must be lead_acid or lfp");
-    }
-    *spec.chemistry = word == "lfp" ? Chemistry::kLfp : Chemistry::kLeadAcid;
-  }
-}
-
-YAML::Node parse_file(const std::string& file) {
-  try {
-    std::vector<YAML::Node> documents = YAML::LoadAll(read_text(file));
-    std::erase_if(documents, [](const YAML::Node& document) { return document.IsNull(); });
-    if (documents.size() > 1) {
-      throw InputError(file, fmt::format("line {}", documents[1].Mark().line + 1), "",
-                       "a second YAML document begins here; one file holds one");
-    }
-    return documents.empty() ? YAML::Node() : documents.front();
-  } catch (const YAML::Exception& error) {
-    throw InputError(file, fmt::format("line {}", error.mark.line + 1), "",
-                     "malformed YAML: " + error.msg);
-  }
-}
-
-Vehicle read_vehicle(const std::filesystem::path& folder) {
-  const std::string file = (folder / kFileName).string();
-  const YAML::Node root = parse_file(file);
+Vehicle read_vehicle(const fs::path& folder) {
+  const std::string robot_file = (folder / kRobotFile).string();
+  const std::string drive_file = (folder / kDriveFile).string();
   Vehicle vehicle;
   vehicle.folder = folder;
   vehicle.name = folder.filename().string();
-
-  std::string mesh;
-  const std::vector<VehicleKey> head = {{.key = "description", .text = &vehicle.description},
-                                        {.key = "mesh", .text = &mesh}};
-  const std::vector<VehicleSection> sections = sections_of(vehicle);
-  std::vector<std::string> known = names_of(head);
-  std::transform(sections.begin(), sections.end(), std::back_inserter(known),
-                 [](const VehicleSection& section) { return std::string(section.name); });
-
-  const Place top{file, ""};
-  check_keys(root, top, known);
-  for (const VehicleKey& spec : head) {
-    read_key(root[std::string(spec.key)], top.child(spec.key), spec);
-  }
-  for (const VehicleSection& section : sections) {
-    const YAML::Node node = root[std::string(section.name)];
-    const Place place = top.child(section.name);
-    check_keys(node, place, names_of(section.keys));
-    for (const VehicleKey& spec : section.keys) {
-      read_key(node[std::string(spec.key)], place.child(spec.key), spec);
-    }
-  }
-  vehicle.mesh_file = folder / mesh;
-  if (!std::filesystem::is_regular_file(vehicle.mesh_file)) {
-    top.child("mesh").refuse(root["mesh"], mesh, "no such file in the vehicle's folder");
-  }
-  check_vehicle(vehicle, file);
+  const Robot robot = read_robot(robot_file);
+  read_drive(drive_file, vehicle);
+  apply_robot(robot, drive_file, vehicle);
+  check_sizes(vehicle, robot_file);
+  add_rotors(vehicle);
+  note_missing_meshes(vehicle);
+  check_vehicle(vehicle, folder.string());
   return vehicle;
 }
 
-std::filesystem::path built_in_folder() {
+fs::path built_in_folder() {
   const char* const replaced = std::getenv("HEADLAND_VEHICLE_DIR");
   return replaced != nullptr ? replaced : HEADLAND_VEHICLE_DIR;
 }
@@ -201,20 +127,20 @@ Vehicle load_vehicle(const std::string& name_or_folder) {
   if (std::find(names.begin(), names.end(), name_or_folder) != names.end()) {
     return read_vehicle(built_in_folder() / name_or_folder);
   }
-  std::filesystem::path folder = name_or_folder;
+  fs::path folder = name_or_folder;
   if (!folder.has_filename()) folder = folder.parent_path();
-  if (std::filesystem::is_directory(folder)) return read_vehicle(folder);
+  if (fs::is_directory(folder)) return read_vehicle(folder);
   throw InputError("", "vehicle", name_or_folder,
                    fmt::format("no such vehicle or folder; the nearest known vehicle is '{}' of {}",
                                nearest_name(name_or_folder, names), fmt::join(names, ", ")));
 }
 
 std::vector<std::string> vehicle_names() {
-  const std::filesystem::path folder = built_in_folder();
+  const fs::path folder = built_in_folder();
   std::vector<std::string> names;
   std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-    if (std::filesystem::is_regular_file(entry.path() / kFileName)) {
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (fs::is_regular_file(entry.path() / kRobotFile)) {
       names.push_back(entry.path().filename().string());
     }
   }

@@ -57,9 +57,12 @@ TEST(MeshFile, RefusesAMissingAndABrokenOne) {
 TEST(VehicleMesh, SaysWhyTheBodyIsAPlainBox) {
   Vehicle vehicle = level_run(10.0, 10.0, 5.0).vehicle;
   EXPECT_THAT(vehicle_mesh(vehicle, {}).note, HasSubstr("no mesh"));
-  vehicle.mesh_file = "/nowhere/body.obj";
+  Shape body;
+  body.kind = ShapeKind::kMesh;
+  body.mesh_file = "/nowhere/body.obj";
+  vehicle.shapes = {body};
   EXPECT_THAT(vehicle_mesh(vehicle, {}).note, HasSubstr("body.obj cannot be read"));
-  vehicle.mesh_file = scratch("body.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\n");
+  vehicle.shapes[0].mesh_file = scratch("body.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\n");
   EXPECT_EQ(vehicle_mesh(vehicle, {}).note, "");
 }
 

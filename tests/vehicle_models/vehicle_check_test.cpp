@@ -104,6 +104,26 @@ TEST(VehicleCheck, RefusesABatteryThatCannotFeedTheMotor) {
                     HasSubstr("draw up to 4.5 kW")));
 }
 
+TEST(VehicleCheck, RefusesSteeringWithoutItsNumbers) {
+  EXPECT_THAT(refusal([](Vehicle& v) { v.steering.max_rate_rad_per_s = 0.0; }),
+              AllOf(HasSubstr("steering.max_rate_deg_per_s"), HasSubstr("missing key")));
+  const auto skid = [](double yaw_rate, double radius_m, bool per_wheel) {
+    return refusal([=](Vehicle& v) {
+      v.steering = {};
+      v.steering.kind = SteeringKind::kSkid;
+      v.steering.max_yaw_rate_rad_per_s = yaw_rate;
+      v.steering.turning_radius_m = radius_m;
+      v.front.driven = true;
+      v.front.radius_m = v.rear.radius_m;
+      v.drivetrain.motor_per_wheel = per_wheel;
+    });
+  };
+  EXPECT_THAT(skid(0.0, 1.0, true), HasSubstr("steering.max_yaw_rate_deg_per_s"));
+  EXPECT_THAT(skid(1.0, 0.0, true), HasSubstr("steering.turning_radius_m"));
+  EXPECT_THAT(skid(1.0, 1.0, false),
+              AllOf(HasSubstr("drivetrain.driven"), HasSubstr("must be per_wheel")));
+}
+
 // What the simulation says about driving the plain test vehicle after one change.
 std::string not_driven(const std::function<void(Vehicle&)>& change) {
   Vehicle vehicle;

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "terrains/input_error.h"
+#include "tests/vehicle_models/changed_vehicle.h"
 
 namespace headland {
 namespace {
@@ -19,61 +20,22 @@ using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 
-const std::filesystem::path kPlain = std::filesystem::path(HEADLAND_TEST_DATA) / "vehicles/plain";
-
-// A copy of the plain vehicle in which one piece of text is replaced by another.
-class ChangedVehicle {
- public:
-  ChangedVehicle(const std::string& from, const std::string& to)
-      : folder_(std::filesystem::temp_directory_path() /
-                ("headland_vehicle_" +
-                 std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
-    std::filesystem::create_directories(folder_);
-    std::filesystem::copy_file(kPlain / "body.obj", folder_ / "body.obj",
-                               std::filesystem::copy_options::overwrite_existing);
-    std::ifstream original(kPlain / "vehicle.yaml");
-    std::stringstream text;
-    text << original.rdbuf();
-    std::string changed = text.str();
-    const std::size_t at = changed.find(from);
-    EXPECT_NE(at, std::string::npos) << "the plain vehicle has no text '" << from << "'";
-    if (at != std::string::npos) changed.replace(at, from.size(), to);
-    std::ofstream(folder_ / "vehicle.yaml") << changed;
-  }
-  ~ChangedVehicle() { std::filesystem::remove_all(folder_); }
-  ChangedVehicle(const ChangedVehicle&) = delete;
-  ChangedVehicle& operator=(const ChangedVehicle&) = delete;
-
-  std::string folder() const { return folder_.string(); }
-
- private:
-  std::filesystem::path folder_;
-};
-
-// What the loader says about the plain vehicle with one change; empty when it takes it.
+// What the loader says about the plain vehicle with one change in its drive.yaml.
 std::string refusal(const std::string& from, const std::string& to) {
-  const ChangedVehicle vehicle(from, to);
-  try {
-    load_vehicle(vehicle.folder());
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of("drive.yaml", from, to);
 }
 
 TEST(VehicleLoader, TakesThePlainVehicleSoThatEveryRefusalBelowIsOfItsOneChange) {
-  EXPECT_EQ(refusal("mass_kg", "mass_kg"), "");
+  EXPECT_EQ(refusal("gear_ratio", "gear_ratio"), "");
 }
 
 TEST(VehicleLoader, ReadsEveryKindOfKey) {
   const Vehicle vehicle = load_vehicle(kPlain.string());
   EXPECT_EQ(vehicle.name, "plain");
   EXPECT_EQ(vehicle.description, "a plain vehicle for tests");
-  EXPECT_EQ(vehicle.mesh_file, kPlain / "body.obj");
-  EXPECT_EQ(vehicle.body.mass_kg, 520.0);
-  EXPECT_EQ(vehicle.body.com_B, Eigen::Vector3d(0.6, 0.0, 0.62));
-  EXPECT_EQ(vehicle.rear.x_B_m, 0.0);
-  EXPECT_EQ(vehicle.front.x_B_m, 1.4);
+  EXPECT_EQ(vehicle.steering.kind, SteeringKind::kFront);
+  EXPECT_EQ(vehicle.rear.section_height_m, 0.13);
+  EXPECT_EQ(vehicle.front.section_height_m, 0.11);
   EXPECT_TRUE(vehicle.rear.driven);
   EXPECT_FALSE(vehicle.front.driven);
   EXPECT_EQ(vehicle.battery.chemistry, Chemistry::kLeadAcid);
@@ -84,7 +46,6 @@ TEST(VehicleLoader, ReadsEveryKindOfKey) {
 
 TEST(VehicleLoader, ConvertsDegreesToRadians) {
   const Vehicle vehicle = load_vehicle(kPlain.string());
-  EXPECT_DOUBLE_EQ(vehicle.steering.max_angle_rad, 35.0 * std::numbers::pi / 180.0);
   EXPECT_DOUBLE_EQ(vehicle.steering.max_rate_rad_per_s, 40.0 * std::numbers::pi / 180.0);
 }
 
@@ -122,62 +83,62 @@ TEST(VehicleLoader, RefusesAFolderWithoutAVehicleFile) {
     load_vehicle(HEADLAND_TEST_DATA);
     FAIL() << "took a folder without a vehicle";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("vehicle.yaml: no such file"));
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("vehicle.urdf"), HasSubstr("cannot be read")));
   }
 }
 
 TEST(VehicleLoader, RefusesMalformedYamlWithItsLine) {
-  EXPECT_THAT(refusal("body:\n", "body: [\n"),
-              AllOf(HasSubstr("vehicle.yaml: line "), HasSubstr("malformed YAML")));
+  EXPECT_THAT(refusal("motor:\n", "motor: [\n"),
+              AllOf(HasSubstr("drive.yaml: line "), HasSubstr("malformed YAML")));
 }
 
 TEST(VehicleLoader, RefusesAFileThatIsNotAMap) {
-  EXPECT_THAT(refusal("description: a plain vehicle for tests\nmesh", "- a list\n- mesh"),
-              HasSubstr("vehicle.yaml: line "));
-  EXPECT_THAT(refusal("steering:\n  max_angle_deg: {value: 35, source: \"assumed\"}\n"
+  EXPECT_THAT(refusal("description: a plain vehicle for tests\n", "- a list\n"),
+              HasSubstr("drive.yaml: line "));
+  EXPECT_THAT(refusal("steering:\n  kind: front\n"
                       "  max_rate_deg_per_s: {value: 40, source: \"assumed\"}\n",
                       "steering: 5\n"),
               AllOf(HasSubstr("steering: '5'"), HasSubstr("a map of keys")));
 }
 
 TEST(VehicleLoader, RefusesAnUnknownKeyWithItsLineAndTheNearestOne) {
-  EXPECT_THAT(refusal("mass_kg", "mas_kg"),
-              AllOf(HasSubstr("line 4: body.mas_kg"), HasSubstr("'mass_kg'")));
+  EXPECT_THAT(refusal("gear_ratio", "gear_rato"),
+              AllOf(HasSubstr("line 15: drivetrain.gear_rato"), HasSubstr("'gear_ratio'")));
   EXPECT_THAT(refusal("steering:", "stering:"),
               AllOf(HasSubstr("stering"), HasSubstr("'steering'")));
 }
 
 TEST(VehicleLoader, RefusesAMissingKeyAndAKeyGivenTwice) {
-  EXPECT_THAT(refusal("  driven: true\n", ""),
-              AllOf(HasSubstr("rear.driven"), HasSubstr("missing key")));
-  EXPECT_THAT(refusal("  driven: true\n", "  driven: true\n  driven: true\n"),
-              AllOf(HasSubstr("rear.driven"), HasSubstr("twice")));
+  EXPECT_THAT(refusal("  driven: rear\n", ""),
+              AllOf(HasSubstr("drivetrain.driven"), HasSubstr("missing key")));
+  EXPECT_THAT(refusal("  driven: rear\n", "  driven: rear\n  driven: rear\n"),
+              AllOf(HasSubstr("drivetrain.driven"), HasSubstr("twice")));
 }
 
 TEST(VehicleLoader, RefusesANumberWithoutASource) {
-  EXPECT_THAT(refusal("{value: 520, source: \"assumed\"}", "520"),
-              AllOf(HasSubstr("line 4: body.mass_kg: '520'"), HasSubstr("needs its source")));
-  EXPECT_THAT(refusal("{value: 520, source: \"assumed\"}", "{value: 520}"),
-              AllOf(HasSubstr("body.mass_kg.source"), HasSubstr("missing key")));
-  EXPECT_THAT(refusal("{value: 520, source: \"assumed\"}", "{value: 520, source: \"\"}"),
-              AllOf(HasSubstr("body.mass_kg.source"), HasSubstr("where the number is from")));
-  EXPECT_THAT(refusal("{value: 520, source: \"assumed\"}", "{value: 520, sourc: \"x\"}"),
-              AllOf(HasSubstr("body.mass_kg.sourc"), HasSubstr("'source'")));
+  EXPECT_THAT(
+      refusal("{value: 42, source: \"assumed\"}", "42"),
+      AllOf(HasSubstr("line 15: drivetrain.gear_ratio: '42'"), HasSubstr("needs its source")));
+  EXPECT_THAT(refusal("{value: 42, source: \"assumed\"}", "{value: 42}"),
+              AllOf(HasSubstr("drivetrain.gear_ratio.source"), HasSubstr("missing key")));
+  EXPECT_THAT(
+      refusal("{value: 42, source: \"assumed\"}", "{value: 42, source: \"\"}"),
+      AllOf(HasSubstr("drivetrain.gear_ratio.source"), HasSubstr("where the number is from")));
+  EXPECT_THAT(refusal("{value: 42, source: \"assumed\"}", "{value: 42, sourc: \"x\"}"),
+              AllOf(HasSubstr("drivetrain.gear_ratio.sourc"), HasSubstr("'source'")));
 }
 
 TEST(VehicleLoader, RefusesNumbersThatAreNoneOrOutOfRange) {
-  for (const std::string bad : {"heavy", ".nan", "nan", ".inf", "inf", "-520", "0", "1e9", "520 kg",
-                                "[520]", "0x208", "''"}) {
-    EXPECT_THAT(refusal("value: 520,", "value: " + bad + ","),
-                AllOf(HasSubstr("line 4: body.mass_kg"), HasSubstr("a number from 10 to 60000")))
+  for (const std::string bad : {"heavy", ".nan", "nan", ".inf", "inf", "-42", "0", "1e9", "42 to 1",
+                                "[42]", "0x208", "''"}) {
+    EXPECT_THAT(
+        refusal("value: 42,", "value: " + bad + ","),
+        AllOf(HasSubstr("line 15: drivetrain.gear_ratio"), HasSubstr("a number from 0.1 to 1000")))
         << bad;
   }
 }
 
-TEST(VehicleLoader, RefusesVectorsOfAnotherLengthAndWholeNumbersThatAreNot) {
-  EXPECT_THAT(refusal("[0.6, 0, 0.62]", "[0.6, 0]"),
-              AllOf(HasSubstr("body.com_B"), HasSubstr("three numbers")));
-  EXPECT_THAT(refusal("[0.6, 0, 0.62]", "0.6"), HasSubstr("three numbers"));
+TEST(VehicleLoader, RefusesWholeNumbersThatAreNot) {
   EXPECT_THAT(refusal("value: 24,", "value: 24.5,"),
               AllOf(HasSubstr("battery.cells_in_series"), HasSubstr("whole number")));
 }
@@ -185,15 +146,76 @@ TEST(VehicleLoader, RefusesVectorsOfAnotherLengthAndWholeNumbersThatAreNot) {
 TEST(VehicleLoader, RefusesWordsThatMeanNothing) {
   EXPECT_THAT(refusal("lead_acid", "nickel"),
               AllOf(HasSubstr("battery.chemistry: 'nickel'"), HasSubstr("lead_acid or lfp")));
-  EXPECT_THAT(refusal("driven: true", "driven: perhaps"), HasSubstr("true or false"));
+  EXPECT_THAT(refusal("driven: rear", "driven: both"),
+              HasSubstr("rear or front or all or per_wheel"));
   EXPECT_THAT(refusal("name: bar", "name:"), HasSubstr("implement.name"));
-  EXPECT_THAT(refusal("body.obj", "absent.obj"),
-              AllOf(HasSubstr("line 2: mesh: 'absent.obj'"), HasSubstr("no such file")));
 }
 
 TEST(VehicleLoader, ChecksTheNumbersTogether) {
   EXPECT_THAT(refusal("gear_ratio: {value: 42", "gear_ratio: {value: 420"),
-              HasSubstr("vehicle.yaml: drivetrain.gear_ratio: '420'"));
+              HasSubstr("drivetrain.gear_ratio: '420'"));
+}
+
+TEST(VehicleLoader, ReadsWhatIsDriven) {
+  const ChangedVehicle changed("drive.yaml", "driven: rear", "driven: front");
+  const Vehicle vehicle = load_vehicle(changed.folder());
+  EXPECT_TRUE(!vehicle.rear.driven && vehicle.front.driven && !vehicle.drivetrain.motor_per_wheel);
+  const Vehicle robot = load_vehicle("four_wheel_steer_robot");
+  EXPECT_TRUE(robot.rear.driven && robot.front.driven && robot.drivetrain.motor_per_wheel);
+  EXPECT_EQ(motor_count(robot), 4);
+}
+
+TEST(VehicleLoader, AddsTheRotorToTheDrivenWheels) {
+  const double gear = 42.0;
+  const double rotor_kg_m2 = 0.002;
+  const Vehicle plain = load_vehicle(kPlain.string());
+  const ChangedVehicle changed(
+      "drive.yaml", "  regeneration_fraction",
+      "  rotor_inertia_kg_m2: {value: 0.002, source: \"assumed\"}\n  regeneration_fraction");
+  const Vehicle vehicle = load_vehicle(changed.folder());
+  EXPECT_NEAR(vehicle.rear.wheel_inertia_kg_m2 - plain.rear.wheel_inertia_kg_m2,
+              rotor_kg_m2 * gear * gear / 2.0, 1e-12);
+  EXPECT_EQ(vehicle.front.wheel_inertia_kg_m2, plain.front.wheel_inertia_kg_m2);
+}
+
+std::string trailer(const std::string& hitch_x_m) {
+  return "\ntrailing:\n  hitch_x_B_m: {value: " + hitch_x_m +
+         ", source: \"assumed\"}\n"
+         "  drawbar_length_m: {value: 2, source: \"assumed\"}\n"
+         "  max_angle_deg: {value: 45, source: \"assumed\"}\ndriver:\n";
+}
+
+TEST(VehicleLoader, ReadsATrailedImplement) {
+  const ChangedVehicle changed("drive.yaml", "\ndriver:\n", trailer("-0.5"));
+  const Vehicle vehicle = load_vehicle(changed.folder());
+  ASSERT_TRUE(vehicle.implement.trailing.has_value());
+  EXPECT_EQ(vehicle.implement.trailing->hitch_x_B_m, -0.5);
+  EXPECT_EQ(vehicle.implement.trailing->drawbar_length_m, 2.0);
+  EXPECT_DOUBLE_EQ(vehicle.implement.trailing->max_angle_rad, std::numbers::pi / 4.0);
+  EXPECT_FALSE(load_vehicle(kPlain.string()).implement.trailing.has_value());
+}
+
+TEST(VehicleLoader, RefusesATrailedImplementThatDoesNotTrail) {
+  EXPECT_THAT(refusal("\ndriver:\n", trailer("-0.9")),
+              AllOf(HasSubstr("implement.x_B_m"), HasSubstr("behind its hitch")));
+  EXPECT_THAT(refusal("\ndriver:\n", trailer("0.2")),
+              AllOf(HasSubstr("trailing.hitch_x_B_m: '0.2'"), HasSubstr("at most 0 m")));
+  EXPECT_THAT(
+      refusal("\ndriver:\n", "\ntrailing:\n  hitch_x_m: {value: -0.5, source: \"a\"}\ndriver:\n"),
+      AllOf(HasSubstr("trailing.hitch_x_m"), HasSubstr("'hitch_x_B_m'")));
+}
+
+TEST(VehicleLoader, RefusesSteeringThatTheJointsDoNotHave) {
+  EXPECT_THAT(refusal("kind: front", "kind: four_wheel"),
+              AllOf(HasSubstr("steering.kind: 'four_wheel'"), HasSubstr("make it 'front'")));
+}
+
+TEST(VehicleLoader, NotesAMissingMeshAndTakesTheVehicle) {
+  const ChangedVehicle changed("vehicle.urdf", "meshes/body.obj", "meshes/absent.obj");
+  const Vehicle vehicle = load_vehicle(changed.folder());
+  ASSERT_EQ(vehicle.notes.size(), 1U);
+  EXPECT_EQ(vehicle.notes[0], "mesh meshes/absent.obj: no such file; a plain box is drawn");
+  EXPECT_TRUE(load_vehicle(kPlain.string()).notes.empty());
 }
 
 }  // namespace
