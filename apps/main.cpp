@@ -57,10 +57,13 @@ int run(int argc, char** argv) {
   headland::add_drive_command(app, exit_code);
   headland::add_render_command(app, exit_code);
   headland::add_list_command(app, exit_code);
+  headland::add_vehicle_command(app, exit_code);
   refuse_empty_values(app);
   if (argc > 1) check_subcommand(app, "", argv[1]);
-  if (argc > 2 && argv[1] == std::string("list")) {
-    check_subcommand(*app.get_subcommand("list"), "list", argv[2]);
+  for (const char* group : {"list", "vehicle"}) {
+    if (argc > 2 && argv[1] == std::string(group)) {
+      check_subcommand(*app.get_subcommand(group), group, argv[2]);
+    }
   }
   try {
     app.parse(argc, argv);

@@ -1,0 +1,97 @@
+// headland vehicle check, and vehicles that are not driven.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/command.h"
+
+namespace headland {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+using VehicleCommand = CommandTest;
+
+const std::filesystem::path kVehicles =
+    std::filesystem::path(HEADLAND_SOURCE_DIR) / "vehicle_models";
+
+TEST_F(VehicleCommand, TellsTheFiguresOfABuiltInVehicle) {
+  const CommandResult result = headland("vehicle check transplanter --soil tilled");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("520 kg"), HasSubstr("2.00 m"), HasSubstr("Tips"),
+                                HasSubstr("tilled"), Not(HasSubstr("note:"))));
+}
+
+TEST_F(VehicleCommand, GivesTheSameFiguresAsJson) {
+  const CommandResult result = headland("vehicle check utility_tractor --json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["name"], "utility_tractor");
+  EXPECT_NEAR(json["mass_kg"].get<double>(), 4000.0, 0.01);
+  // Four wheel loads carry the whole weight.
+  const double loads_n =
+      2.0 * (json["wheel_load_n"][0].get<double>() + json["wheel_load_n"][1].get<double>());
+  EXPECT_NEAR(loads_n, 9.80665 * json["total_mass_kg"].get<double>(), 0.1);
+  EXPECT_EQ(json["soil"], "firm");
+}
+
+TEST_F(VehicleCommand, DrawsIt) {
+  const CommandResult result =
+      headland("vehicle check four_wheel_steer_robot -o robot.png --size 480x320");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(text_of(folder_ / "robot.png"), HasSubstr("PNG"));
+  EXPECT_THAT(result.out, HasSubstr("robot.png"));
+}
+
+TEST_F(VehicleCommand, TakesAFolderWithABrokenMeshAsAPlainBoxAndSaysSo) {
+  std::filesystem::copy(kVehicles / "transplanter", folder_ / "mine",
+                        std::filesystem::copy_options::recursive);
+  write("mine/meshes/transplanter.obj", "f 1 2 3\nf nonsense");
+  const CommandResult broken = headland("vehicle check mine -o mine.png --size 480x320");
+  EXPECT_EQ(broken.exit_code, 0) << broken.err;
+  EXPECT_THAT(broken.out, HasSubstr("note: transplanter.obj cannot be read: plain box"));
+  std::filesystem::remove_all(folder_ / "mine/meshes");
+  const CommandResult missing = headland("vehicle check mine/");
+  EXPECT_EQ(missing.exit_code, 0) << missing.err;
+  EXPECT_THAT(missing.out, HasSubstr("no such file; a plain box is drawn"));
+}
+
+struct BadCall {
+  std::string name;
+  std::string arguments;
+  std::string message;
+};
+
+const BadCall kBadCalls[] = {
+    {"UnknownVehicle", "vehicle check tranplanter", "nearest known vehicle is 'transplanter'"},
+    {"UnknownSoil", "vehicle check transplanter --soil frm", "did you mean 'firm'?"},
+    {"UnknownSubcommand", "vehicle chek transplanter", "did you mean 'check'?"},
+    {"FolderWithoutVehicle", "vehicle check .", "vehicle.urdf"},
+    {"PictureInAFile", "vehicle check transplanter -o tiny.yaml/x.png --size 300x300", "tiny.yaml"},
+    {"TooSmallPicture", "vehicle check transplanter -o x.png --size 20x20", "--size"},
+};
+
+class BadVehicleCall : public CommandTest, public ::testing::WithParamInterface<BadCall> {};
+
+TEST_P(BadVehicleCall, ExitsWithTwoAndOneLine) {
+  const CommandResult result = headland(GetParam().arguments);
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr(GetParam().message));
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
+  EXPECT_EQ(result.out, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadVehicleCall, ::testing::ValuesIn(kBadCalls),
+                         [](const auto& test) { return test.param.name; });
+
+TEST_F(VehicleCommand, IsNotDrivenWhileTheSimulationDoesNotModelIt) {
+  write("skid.yaml", kTinyField + "vehicle: skid_steer_robot\n");
+  const CommandResult result = headland("evaluate skid.yaml -o out");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("'skid_steer_robot'"), HasSubstr("skid steering")));
+}
+
+}  // namespace
+}  // namespace headland
