@@ -26,7 +26,7 @@ int evaluate(const CommonOptions& options) {
     fmt::print("{}\n", json_text(result.json, 2));
   } else if (!options.quiet) {
     fmt::print("{}{}\nresults, tables and pictures are in {}\n", run_summary(job, result),
-               cut_back_note(plan.path), terminal_text(job.folder.string()));
+               path_notes(plan.path), terminal_text(job.folder.string()));
   }
   return exit_code_of(result.verdict);
 }

@@ -32,6 +32,16 @@ std::vector<std::string> notes_on(const Vehicle& vehicle) {
   return {fmt::format("vehicle {}: {} in the pictures", vehicle.name, mesh)};
 }
 
+// Names the scenario in a refusal, which knows of the field alone.
+template <typename Make>
+auto planned(const Job& job, Make make) {
+  try {
+    return make();
+  } catch (const PlanInfeasible& refused) {
+    throw PlanInfeasible(fmt::format("{}: {}", job.scenario.file.string(), refused.what()));
+  }
+}
+
 void remove_file(const std::filesystem::path& file) {
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
@@ -41,12 +51,13 @@ void remove_file(const std::filesystem::path& file) {
 
 PlanResult plan_stage(const Job& job) {
   const PlannerEntry& planner = find_planner(job.scenario.planner.name, job.scenario.file.string());
-  PlanResult result;
-  {
+  const PlanResult result = planned(job, [&] {
     const InterruptAtOnce at_once;
-    result.plan = planner.plan(plan_request(job.scenario, job.stage));
-    result.path = make_path(job.stage.field, job.stage.vehicle, result.plan, job.scenario.path);
-  }
+    PlanResult made;
+    made.plan = planner.plan(plan_request(job.scenario, job.stage));
+    made.path = make_path(job.stage.field, job.stage.vehicle, made.plan, job.scenario.path);
+    return made;
+  });
   const GeoFrame& frame = job.stage.field.frame;
   write_together(job.folder, {{kScenarioFile, scenario_yaml(job.scenario)},
                               {kPlanFile, plan_geojson(result.plan, frame)},
@@ -58,13 +69,12 @@ PlanResult plan_stage(const Job& job) {
 Path track_stage(const Job& job, const std::filesystem::path& track_file, double tolerance_m,
                  TrackReport& report) {
   const GeoFrame& frame = job.stage.field.frame;
-  Path path;
-  {
+  Path path = planned(job, [&] {
     const InterruptAtOnce at_once;
     const Track track = read_track(track_file, frame);
-    path = make_drivable(job.stage.field, job.stage.vehicle, track, tolerance_m, job.scenario.path,
+    return make_drivable(job.stage.field, job.stage.vehicle, track, tolerance_m, job.scenario.path,
                          &report);
-  }
+  });
   write_together(job.folder, {{kScenarioFile, scenario_yaml(job.scenario)},
                               {kPathFile, path_geojson(path, frame)}});
   remove_file(job.folder / kPlanFile);
@@ -75,12 +85,12 @@ Path track_stage(const Job& job, const std::filesystem::path& track_file, double
 void adopt_plan(const Job& job, const std::filesystem::path& from) {
   // What cannot be driven is not taken over.
   static_cast<void>(read_path(from / kPathFile, job.stage.field));
-  const bool planned = std::filesystem::exists(from / kPlanFile);
+  const bool has_plan = std::filesystem::exists(from / kPlanFile);
   std::vector<FileText> files = {{kScenarioFile, scenario_yaml(job.scenario)},
                                  {kPathFile, read_text(from / kPathFile)}};
-  if (planned) files.push_back({kPlanFile, read_text(from / kPlanFile)});
+  if (has_plan) files.push_back({kPlanFile, read_text(from / kPlanFile)});
   write_together(job.folder, files);
-  if (!planned) remove_file(job.folder / kPlanFile);
+  if (!has_plan) remove_file(job.folder / kPlanFile);
   remove_results_from(job.folder, kRunFile);
 }
 

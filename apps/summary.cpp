@@ -165,11 +165,19 @@ std::string run_summary(const Job& job, const DriveResult& result) {
          kind_table(result.metrics) + verdict_text(result.verdict) + notes_text(result.notes);
 }
 
-std::string cut_back_note(const Path& path) {
-  if (path.cut_back_m.empty()) return "";
-  return fmt::format("  {} swath ends cut back by up to {:.1f} m to make room for turns\n",
-                     path.cut_back_m.size(),
-                     *std::max_element(path.cut_back_m.begin(), path.cut_back_m.end()));
+std::string path_notes(const Path& path) {
+  std::string text;
+  if (!path.cut_back_m.empty()) {
+    text += fmt::format("  {} swath ends cut back by up to {:.1f} m to make room for turns\n",
+                        path.cut_back_m.size(),
+                        *std::max_element(path.cut_back_m.begin(), path.cut_back_m.end()));
+  }
+  const TightestPlace& tightest = path.tightest;
+  if (std::isfinite(tightest.clearance_m) && path.violations.empty()) {
+    text += fmt::format("  a pass brings the hull within {:.2f} m at x {:.1f}, y {:.1f} m\n",
+                        std::max(0.0, tightest.clearance_m), tightest.p_W.x(), tightest.p_W.y());
+  }
+  return text;
 }
 
 std::string plan_summary(const Job& job, const PlanResult& result) {
@@ -186,7 +194,7 @@ std::string plan_summary(const Job& job, const PlanResult& result) {
     text += row(fmt::format("{} x {}", count, path_kind_name(kind)),
                 fmt::format("{:.0f} m", length_of_m(result.path, kind)));
   }
-  text += cut_back_note(result.path);
+  text += path_notes(result.path);
   for (const PathViolation& violation : result.path.violations) {
     text += fmt::format("  does not fit at x {:.1f}, y {:.1f} m: {}\n", violation.p_W.x(),
                         violation.p_W.y(), violation.what);
@@ -210,6 +218,12 @@ Json plan_summary_json(const Job& job, const PlanResult& result) {
         {"count", manoeuvres_of(result.path, kind)}, {"length_m", length_of_m(result.path, kind)}};
   }
   json["cut_back_m"] = result.path.cut_back_m;
+  const TightestPlace& tightest = result.path.tightest;
+  if (std::isfinite(tightest.clearance_m)) {
+    json["tightest"] = {{"clearance_m", tightest.clearance_m},
+                        {"x_m", tightest.p_W.x()},
+                        {"y_m", tightest.p_W.y()}};
+  }
   json["violations"] = result.path.violations.size();
   return json;
 }

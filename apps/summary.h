@@ -19,8 +19,9 @@ std::string charge_change_text(double delta_soc);
 std::string plan_summary(const Job& job, const PlanResult& result);
 nlohmann::ordered_json plan_summary_json(const Job& job, const PlanResult& result);
 
-// A line on swaths that were cut back for their turns; empty when none was.
-std::string cut_back_note(const Path& path);
+// Lines on swaths cut back for their turns and on the place where a pass keeps less than the
+// clearance asked for; empty where there is nothing to say.
+std::string path_notes(const Path& path);
 
 // What became of another tool's track.
 std::string track_summary(const TrackReport& report);

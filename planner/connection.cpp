@@ -12,6 +12,8 @@ namespace {
 
 // Nodes that one route may take: enough to go around the holes of a field of tens of hectares.
 constexpr int kMaxNodesPerRoute = 20000;
+// A connection keeps this much less than an end that gives way, for its own rounding [m].
+constexpr double kSame_m = 1e-4;
 
 // Calls visit(pose) at most kPathSpacing_m apart, from start to end, until it returns false;
 // visit may ask to skip ahead by returning how far [m] it wants to.
@@ -38,16 +40,16 @@ void deepen(Overrun& worst, const Overrun& other) {
   if (other.depth_m > worst.depth_m) worst = other;
 }
 
-// The clearance that both ends keep: the one asked for or none; empty when an end does not fit.
-std::optional<double> clearance_between(const FreeSpace& space, const Pose& from, const Pose& to,
-                                        const ConnectionOptions& options) {
-  for (const double clearance_m : {options.clearance_m, 0.0}) {
-    if (fits(space, from, clearance_m) && fits(space, to, clearance_m)) return clearance_m;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
+
+double clearance_between(const FreeSpace& space, const Pose& from, const Pose& to,
+                         double clearance_m) {
+  double kept_m = clearance_m;
+  for (const Pose& end : {from, to}) {
+    if (!fits(space, end, kept_m)) kept_m = headland::clearance_m(space, end, kept_m) - kSame_m;
+  }
+  return kept_m;
+}
 
 bool fits_along(const FreeSpace& space, const Pose& from, const std::vector<Arc>& arcs,
                 double clearance_m) {
@@ -77,15 +79,15 @@ Overrun worst_overrun(const FreeSpace& space, const std::vector<PathPoint>& poin
 
 std::optional<std::vector<Arc>> connect_by_turn(const FreeSpace& space, const Pose& from,
                                                 const Pose& to, const ConnectionOptions& options) {
-  const auto clearance_m = clearance_between(space, from, to, options);
-  if (!clearance_m) return std::nullopt;
+  const double clearance_m = options.clearance_m;
+  if (!fits(space, from, clearance_m) || !fits(space, to, clearance_m)) return std::nullopt;
   // Run-outs only lengthen a turn, so they are looked at when the cheapest without does not fit.
   auto direct = turns(from, to, options.radius_m);
-  if (!direct.empty() && fits_along(space, from, direct.front().arcs, *clearance_m)) {
+  if (!direct.empty() && fits_along(space, from, direct.front().arcs, clearance_m)) {
     return std::move(direct.front().arcs);
   }
   for (Turn& turn : turns_with_run_outs(from, to, options.radius_m)) {
-    if (fits_along(space, from, turn.arcs, *clearance_m)) return std::move(turn.arcs);
+    if (fits_along(space, from, turn.arcs, clearance_m)) return std::move(turn.arcs);
   }
   return std::nullopt;
 }
@@ -93,12 +95,14 @@ std::optional<std::vector<Arc>> connect_by_turn(const FreeSpace& space, const Po
 std::optional<std::vector<Arc>> connect(const FreeSpace& space, const Pose& from, const Pose& to,
                                         const ConnectionOptions& options, int& node_budget) {
   if (auto arcs = connect_by_turn(space, from, to, options)) return arcs;
-  const auto clearance_m = clearance_between(space, from, to, options);
-  if (!clearance_m) return std::nullopt;
+  if (!fits(space, from, options.clearance_m) || !fits(space, to, options.clearance_m)) {
+    return std::nullopt;
+  }
   RouteOptions route;
   route.radius_m = options.radius_m;
-  route.clearance_m = *clearance_m;
+  route.clearance_m = options.clearance_m;
   route.max_nodes = std::min(node_budget, kMaxNodesPerRoute);
+  route.cancelled = options.cancelled;
   int expanded = 0;
   auto arcs = find_route(space, from, to, route, &expanded);
   node_budget -= expanded;

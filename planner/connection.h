@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planner/arcs.h"
+#include "planner/cancel.h"
 #include "planner/free_space.h"
 
 namespace headland {
@@ -19,16 +20,22 @@ Overrun worst_overrun(const FreeSpace& space, const std::vector<PathPoint>& poin
 
 struct ConnectionOptions {
   double radius_m = 0.0;
-  double clearance_m = 0.0;
+  double clearance_m = 0.0;  // >= -kFitTolerance_m
+  CancelAsked cancelled{};
 };
 
-// The cheapest turn that fits. Where the ends themselves keep less than the clearance, it need not
-// keep more.
+// The clearance [m] that both ends keep, at most `clearance_m`: no connection keeps more. Below
+// -kFitTolerance_m when an end does not fit.
+double clearance_between(const FreeSpace& space, const Pose& from, const Pose& to,
+                         double clearance_m);
+
+// The cheapest turn that keeps the clearance from end to end; none when there is none, as when an
+// end does not keep it.
 std::optional<std::vector<Arc>> connect_by_turn(const FreeSpace& space, const Pose& from,
                                                 const Pose& to, const ConnectionOptions& options);
 
 // The cheapest turn that fits, else a route by hybrid A* that expands at most `node_budget` nodes
-// and takes them off it. None when neither is found.
+// and takes them off it. None when neither is found. Throws Cancelled.
 std::optional<std::vector<Arc>> connect(const FreeSpace& space, const Pose& from, const Pose& to,
                                         const ConnectionOptions& options, int& node_budget);
 

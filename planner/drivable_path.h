@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/cancel.h"
 #include "planner/path.h"
 #include "planner/plan.h"
 #include "terrains/field.h"
@@ -13,7 +14,9 @@
 namespace headland {
 
 struct PathOptions {
-  double clearance_m = 0.1;    // kept between hull and boundary, holes and obstacles
+  // Kept between hull and boundary, holes and obstacles by every turn and transit. Passes are not
+  // moved: one that keeps less keeps what it does, and so do the turns at its ends.
+  double clearance_m = 0.1;
   bool allow_overrun = false;  // record what does not fit as violations instead of refusing
 };
 
@@ -22,9 +25,9 @@ struct PathOptions {
 // shifted along their direction so that the implement, not the axle, works from end to end. The
 // path begins at the field's entry, if it has one.
 // Throws PlanInfeasible naming the place and the headland width that would do when a turn does not
-// fit and overruns are not allowed.
+// fit and overruns are not allowed, also for a pass without length; Cancelled.
 Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
-               const PathOptions& options);
+               const PathOptions& options, const CancelAsked& cancelled = {});
 
 // What make_drivable did to a track, for the user.
 struct TrackReport {
@@ -35,8 +38,10 @@ struct TrackReport {
 };
 
 // Cuts the track where it has gaps, jumps or corners tighter than the vehicle can steer, smooths
-// the pieces within `tolerance_m`, and joins them like the passes of a plan.
+// the pieces within `tolerance_m`, and joins them like the passes of a plan. Throws PlanInfeasible
+// as make_path and for a track without a piece to follow; Cancelled.
 Path make_drivable(const Field& field, const Vehicle& vehicle, const Track& track,
-                   double tolerance_m, const PathOptions& options, TrackReport* report);
+                   double tolerance_m, const PathOptions& options, TrackReport* report,
+                   const CancelAsked& cancelled = {});
 
 }  // namespace headland

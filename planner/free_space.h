@@ -6,24 +6,15 @@
 #include <vector>
 
 #include "planner/arcs.h"
+#include "planner/hull.h"
 #include "terrains/field.h"
 #include "vehicle_models/vehicle.h"
 
 namespace headland {
 
-// Seen from above, from the rear-axle centre: a box for the chassis, and the raised implement as
-// a bar across, which may hang over boundary and holes but not through obstacles.
-struct Hull {
-  double front_m = 0.0;  // reach ahead of the rear axle
-  double rear_m = 0.0;   // reach behind it
-  double half_width_m = 0.0;
-  double bar_x_m = 0.0;
-  double bar_half_width_m = 0.0;
-};
-
-Hull hull_of(const Vehicle& vehicle);
-// Distance [m] from the rear-axle centre to the hull's furthest corner.
-double reach_m(const Hull& hull);
+// A hull that protrudes by less than this [m] is taken as fitting, on passes and in turns alike:
+// planners lay passes along limits, and boundaries are simplified by as much (outline.h).
+inline constexpr double kFitTolerance_m = 0.01;
 
 enum class Limit { kNone, kBoundary, kHole, kObstacle };
 
@@ -42,6 +33,8 @@ struct FreeSpace {
     std::vector<int> obstacles;
   };
   Hull hull;
+  double reach_m = 0.0;  // of the hull, see hull.h
+  double reach_with_bar_m = 0.0;
   std::vector<Edge> edges;
   std::vector<Obstacle> obstacles;
   Eigen::Vector2d origin_W = Eigen::Vector2d::Zero();
@@ -51,10 +44,25 @@ struct FreeSpace {
   std::vector<Cell> cells;  // row by row
 };
 
+// The field as it is, edge by edge. 0.1 s for 100 000 edges.
 FreeSpace free_space(const Field& field, const Hull& hull);
 
-// Whether the hull keeps `clearance_m` (>= 0) from everything at this pose. Under 1 us.
+// Whether p_W is inside the boundary and outside every hole.
+bool inside(const FreeSpace& space, const Eigen::Vector2d& p_W);
+
+// The edge nearest to any place, inside the field or not.
+struct NearestEdge {
+  double distance_m = 0.0;
+  int edge = 0;  // index into FreeSpace::edges
+};
+NearestEdge nearest_edge(const FreeSpace& space, const Eigen::Vector2d& p_W);
+
+// Whether the hull keeps `clearance_m` (>= -kFitTolerance_m) from everything at this pose. Under
+// 1 us.
 bool fits(const FreeSpace& space, const Pose& pose, double clearance_m);
+
+// The clearance [m] the hull keeps, at most `most_m` (>= 0); negative by how far it protrudes.
+double clearance_m(const FreeSpace& space, const Pose& pose, double most_m);
 
 // Whether a disc does, without the implement.
 bool disc_fits(const FreeSpace& space, const Eigen::Vector2d& p_W, double radius_m);
@@ -71,9 +79,6 @@ struct Overrun {
   Limit limit = Limit::kNone;
 };
 Overrun overrun(const FreeSpace& space, const Pose& pose);
-
-// How far [m] the chassis reaches from the rear-axle centre along a unit vector of W.
-double reach_along_m(const Hull& hull, double heading_rad, const Eigen::Vector2d& along_W);
 
 // The first boundary or hole edge that a ray from p_W meets: how far away, and its unit normal
 // pointing out of the field. Distance is the largest double where it meets none.

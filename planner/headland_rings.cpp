@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 
+#include "planner/outline.h"
 #include "planner/ring_smoothing.h"
 
 namespace headland {
@@ -15,19 +18,53 @@ namespace {
 // sigma^2 / (2 R^2) = 0.5 % and leaves about 1 % of ripple.
 constexpr double kRadiusMargin = 1.03;
 constexpr double kFilterSigmaPerRadius = 0.1;
+// Points of a ring whose circle tells its radius are this far apart [part of the turning radius].
+constexpr double kWindowPerRadius = 0.2;
+// Rounding, clearance slack and filter may add up to this [part of the turning radius].
+constexpr double kRingErrorPerRadius = 0.035;
+// Attempts at a round without kinks before its rings that have some are given up.
+constexpr int kEvenings = 3;
 // Slivers between a rounded ring and an offset of the field are thinner than this [part of the
 // working width].
 constexpr double kSliverPerWidth = 1.0 / 16.0;
 
-void append_rings(const PolygonSet& ground, int round, double turning_radius_m,
-                  std::vector<HeadlandRing>& rings) {
+std::vector<HeadlandRing> rings_of(const PolygonSet& ground, int round, double turning_radius_m) {
   const double sigma_m = kFilterSigmaPerRadius * turning_radius_m;
+  std::vector<HeadlandRing> rings;
+  const auto append = [&](const Ring& ring, bool around_hole) {
+    HeadlandRing smooth{round, around_hole, smoothed_ring(ring, sigma_m), {}};
+    for (const Eigen::Vector2d& p_W : smooth.line_W) smooth.box_W.extend(p_W);
+    rings.push_back(std::move(smooth));
+  };
   for (const PolygonPart& part : ground.parts) {
-    rings.push_back({round, false, smoothed_ring(part.outer, sigma_m)});
-    for (const Ring& hole : part.holes) {
-      rings.push_back({round, true, smoothed_ring(hole, sigma_m)});
-    }
+    append(part.outer, false);
+    for (const Ring& hole : part.holes) append(hole, true);
   }
+  return rings;
+}
+
+struct Round {
+  PolygonSet ground;  // the rings run along its edges
+  std::vector<HeadlandRing> rings;
+};
+
+// Rings whose kinks cannot be rounded away are left out.
+Round round_of(const PolygonSet& ground, int round, const Rounding& rounding,
+               const PlanRequest& request) {
+  const auto fine = [&](const HeadlandRing& ring) {
+    return tightest_radius_m(ring.line_W, kWindowPerRadius * request.turning_radius_m) >=
+           request.turning_radius_m;
+  };
+  Round made{rounded(ground, rounding, request.cancelled), {}};
+  made.rings = rings_of(made.ground, round, request.turning_radius_m);
+  for (int step = 0; step < kEvenings && !std::ranges::all_of(made.rings, fine); ++step) {
+    stop_if(request.cancelled);
+    made.ground =
+        step % 2 == 0 ? closed_where_clear(made.ground, rounding) : opened(made.ground, rounding);
+    made.rings = rings_of(made.ground, round, request.turning_radius_m);
+  }
+  std::erase_if(made.rings, std::not_fn(fine));
+  return made;
 }
 
 // Pieces of `ground` that are more than slivers and crumbs.
@@ -63,6 +100,13 @@ double corners_cut_m2(const Ring& ring, double radius_m) {
   return sum_m2;
 }
 
+// The implement may hang over the boundary but not into obstacles, whatever a ring's error.
+double obstacle_margin_m(const PlanRequest& request, double first_m) {
+  const double ring_error_m = kRingErrorPerRadius * request.turning_radius_m;
+  return std::max(0.0,
+                  0.5 * request.working_width_m + request.clearance_m + ring_error_m - first_m);
+}
+
 }  // namespace
 
 FirstRound first_round(const PlanRequest& request) {
@@ -77,7 +121,7 @@ FirstRound first_round(const PlanRequest& request) {
     const double swing_m =
         std::hypot(round.radius_m + request.vehicle_width_m / 2.0, request.vehicle_front_m) -
         round.radius_m;
-    round.distance_m = std::max(half_width_m, swing_m + kHullClearance_m);
+    round.distance_m = std::max(half_width_m, swing_m + request.clearance_m + kRingMargin_m);
     const double unworked_m2 =
         (round.distance_m - half_width_m) * perimeter_m(request.field.boundary) +
         corners_cut_m2(request.field.boundary, round.radius_m + round.distance_m);
@@ -93,7 +137,8 @@ double turning_depth_m(const PlanRequest& request) {
   const double radius_m = request.turning_radius_m;
   return request.vehicle_rear_m +
          std::max(radius_m + request.working_width_m / 2.0,
-                  std::hypot(radius_m + request.vehicle_width_m / 2.0, request.vehicle_front_m));
+                  std::hypot(radius_m + request.vehicle_width_m / 2.0, request.vehicle_front_m)) +
+         request.clearance_m;
 }
 
 int rounds_for_turning(const PlanRequest& request) {
@@ -106,7 +151,7 @@ Headland make_headland(const PlanRequest& request, int rounds) {
   const double width_m = request.working_width_m;
   const FirstRound first = first_round(request);
   const double first_m = first.distance_m;
-  const PolygonSet field = from_field(request.field);
+  const PolygonSet field = from_field(request.field, obstacle_margin_m(request, first_m));
 
   Headland headland;
   headland.width_m = first_m + (rounds - 0.5) * width_m;
@@ -114,29 +159,37 @@ Headland make_headland(const PlanRequest& request, int rounds) {
   headland.inner = buffered(field, -headland.width_m, Join::kRound);
   std::vector<PolygonSet> inner{headland.inner};
   PolygonSet inside_before;
+  // What rounds leave is measured on fewer points than they are driven on.
+  const auto beside = [&](const PolygonSet& ground, double distance_m) {
+    return simplified(buffered(ground, distance_m, Join::kRound), kOutlineTolerance_m);
+  };
   for (int round = 0; round < rounds; ++round) {
+    stop_if(request.cancelled);
     const double distance_m = first_m + round * width_m;
     const double radius_m = kRadiusMargin * request.turning_radius_m;
     const double corner_radius_m = round == 0 ? kRadiusMargin * first.radius_m : radius_m;
     // A corner that sticks into the ground is passed at constant distance where the vehicle can
     // follow that arc, else along its sharp offset, rounded.
     const Join join = distance_m < radius_m ? Join::kMitre : Join::kRound;
-    const PolygonSet ground =
-        rounded(buffered(field, -distance_m, join), radius_m, corner_radius_m, field, first_m);
-    append_rings(ground, round, request.turning_radius_m, headland.rings);
+    const Round made = round_of(buffered(field, -distance_m, join), round,
+                                {radius_m, corner_radius_m, field, first_m}, request);
+    headland.rings.insert(headland.rings.end(), made.rings.begin(), made.rings.end());
     if (round > 0) {
-      inner.push_back(worth_working(
-          difference(inside_before, buffered(ground, width_m / 2.0, Join::kRound)), width_m));
+      inner.push_back(
+          worth_working(difference(inside_before, beside(made.ground, width_m / 2.0)), width_m));
     }
-    inside_before = buffered(ground, -width_m / 2.0, Join::kRound);
+    inside_before = beside(made.ground, -width_m / 2.0);
   }
   inner.push_back(worth_working(difference(inside_before, headland.inner), width_m));
   headland.inner = united(inner);
   if (headland.rings.empty()) {
+    const Disc widest = widest_disc(field);
     throw PlanInfeasible(fmt::format(
         "the turning radius fits nowhere: a round inside the boundary needs ground {:.1f} m wide "
-        "(working width {:.2f} m, turning radius {:.2f} m)",
-        2.0 * (first_m + kRadiusMargin * first.radius_m), width_m, request.turning_radius_m));
+        "(working width {:.2f} m, turning radius {:.2f} m, clearance {:.2f} m); the widest is "
+        "{:.1f} m at ({:.1f}, {:.1f}) m",
+        2.0 * (first_m + kRadiusMargin * first.radius_m), width_m, request.turning_radius_m,
+        request.clearance_m, 2.0 * widest.radius_m, widest.centre_W.x(), widest.centre_W.y()));
   }
   return headland;
 }

@@ -1,6 +1,7 @@
 // The headland: rounds of the working width along the boundary and around holes and obstacles.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "planner/plan.h"
@@ -8,8 +9,8 @@
 
 namespace headland {
 
-// Kept between the hull and the boundary on the outermost ring [m].
-inline constexpr double kHullClearance_m = 0.15;
+// What the outermost ring keeps beyond the clearance asked for [m], for the errors of its rounding.
+inline constexpr double kRingMargin_m = 0.05;
 
 // A closed round (first point == last), kRingSpacing_m between points, never tighter than the
 // turning radius. `round` counts from the boundary inwards.
@@ -17,6 +18,7 @@ struct HeadlandRing {
   int round = 0;
   bool around_hole = false;
   Polyline line_W;
+  Eigen::AlignedBox2d box_W;  // around line_W
 };
 
 struct Headland {
@@ -33,7 +35,8 @@ struct FirstRound {
 };
 
 // In a corner of radius r the hull's front corner swings out to hypot(r + hull width / 2, front)
-// from the arc's centre. The ring keeps far enough from the boundary for that, and takes the
+// from the arc's centre. The ring keeps far enough from the boundary for that and the clearance
+// (of which only what exceeds half the working width moves the ring), and takes the
 // corner radius, from the turning radius to kWidestCorner times it, that leaves the least ground
 // unworked: wide corners swing out less but cut more off. A wide implement needs neither: its
 // ring is at half the working width with the turning radius.
@@ -42,7 +45,7 @@ inline constexpr double kWidestCorner = 2.5;
 
 // Depth [m] that turning round takes from the end of a swath to the boundary. U-turn and
 // three-point turn both begin with a quarter circle of the turning radius R, so
-//   depth = rear + max(R + w/2, hypot(R + hull width/2, front))
+//   depth = rear + max(R + w/2, hypot(R + hull width/2, front)) + clearance
 // with the implement lifted but its width w swung along, the front corner of the hull, and the
 // rear overhang by which the axle is ahead of the working line.
 double turning_depth_m(const PlanRequest& request);
@@ -54,7 +57,7 @@ int rounds_for_turning(const PlanRequest& request);
 // becomes several rings, where the ground is narrower than two turning radii it vanishes; rounds
 // of boundary and holes that would meet are one round around both. Ground inside the first round
 // that no later round reaches, in pieces of more than a working width squared, is left to the
-// swaths. Throws PlanInfeasible when not even one ring fits.
+// swaths. Throws PlanInfeasible when not even one ring fits, Cancelled.
 Headland make_headland(const PlanRequest& request, int rounds);
 
 }  // namespace headland

@@ -27,6 +27,7 @@ constexpr double kSteeringChangeCost = 0.1;
 constexpr double kNearGoal = 8.0;
 // A closing curve is tried at every node near the goal and at every so-manieth elsewhere.
 constexpr int kTryEvery = 20;
+constexpr int kAskEvery = 100;  // nodes, milliseconds, between looks at whether to go on
 // Weighs the way still to go: routes may cost up to this factor more than the best, and are found
 // in a fraction of the nodes.
 constexpr double kGreed = 1.5;
@@ -244,7 +245,7 @@ std::optional<std::vector<Arc>> find_route(const FreeSpace& space, const Pose& f
     Node& node = search.nodes[static_cast<std::size_t>(reached.index)];
     if (node.closed || search.at_cell[key_of(search, node)] != reached.index) continue;
     node.closed = true;
-    ++count;
+    if (++count % kAskEvery == 0) stop_if(options.cancelled);
     const bool near = reached.cost - node.cost_m < kGreed * kNearGoal * options.radius_m;
     if (near || count % kTryEvery == 1) {
       const auto closing = reeds_shepp(node.pose, to, options.radius_m);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planner/arcs.h"
+#include "planner/cancel.h"
 #include "planner/free_space.h"
 
 namespace headland {
@@ -13,6 +14,7 @@ struct RouteOptions {
   double radius_m = 0.0;
   double clearance_m = 0.0;
   int max_nodes = 20000;  // nodes expanded before giving up
+  CancelAsked cancelled{};
 };
 
 // Hybrid A* (Dolgov, Thrun, Montemerlo and Diebel 2010): a search over position, heading and gear
@@ -21,6 +23,7 @@ struct RouteOptions {
 // turn saves something. Deviations: the grid guides with a disc of the hull's half width, and the
 // way to go is weighed so that far fewer nodes are needed (not the best route, a good one). None
 // when there is no way or `max_nodes` were not enough. `expanded` (may be null) counts the nodes.
+// Throws Cancelled.
 std::optional<std::vector<Arc>> find_route(const FreeSpace& space, const Pose& from, const Pose& to,
                                            const RouteOptions& options, int* expanded);
 

@@ -16,8 +16,6 @@ namespace {
 
 // Nodes that all routes of one path may take together: bounds the time of hopeless fields.
 constexpr int kNodeBudget = 400000;
-// A pass that protrudes less than this is taken as fitting: planners lay passes along limits.
-constexpr double kPassTolerance_m = 0.01;
 // The entry is usually a gate in the boundary; the path begins where the hull fits near it.
 constexpr double kMaxEntryShift_m = 25.0;
 constexpr double kEntryRing_m = 0.5;
@@ -61,12 +59,17 @@ struct Joining {
   const Vehicle& vehicle;
   const std::vector<WorkLine>& lines;
   const PathOptions& options;
-  FreeSpace space;
+  const FreeSpace& space;
+  const CancelAsked& cancelled;
   double radius_m = 0.0;
   int node_budget = kNodeBudget;
   int manoeuvre = 0;
-  Path path;
+  Path path{};
 };
+
+ConnectionOptions connection_options(const Joining& joining, double clearance_m) {
+  return {joining.radius_m, clearance_m, joining.cancelled};
+}
 
 Eigen::Vector2d implement_at(const Joining& joining, const PathPoint& axle) {
   return axle.p_W + joining.space.hull.bar_x_m * direction_of(axle.heading_rad);
@@ -132,8 +135,13 @@ void append_arcs(Joining& joining, const Pose& from, const std::vector<Arc>& arc
 void append_connection(Joining& joining, std::size_t next) {
   const PathPoint& from = joining.lines[next - 1].points.back();
   const PathPoint& to = joining.lines[next].points.front();
-  const ConnectionOptions options{joining.radius_m, joining.options.clearance_m};
-  auto arcs = connect(joining.space, pose_of(from), pose_of(to), options, joining.node_budget);
+  const double clearance_m =
+      clearance_between(joining.space, pose_of(from), pose_of(to), joining.options.clearance_m);
+  std::optional<std::vector<Arc>> arcs;
+  if (clearance_m >= -kFitTolerance_m) {
+    arcs = connect(joining.space, pose_of(from), pose_of(to),
+                   connection_options(joining, clearance_m), joining.node_budget);
+  }
   if (!arcs) {
     if (!joining.options.allow_overrun) refuse_connection(joining, next);
     arcs = connect_overrunning(joining.space, pose_of(from), pose_of(to), joining.radius_m);
@@ -169,7 +177,7 @@ void check_curvature(Joining& joining, std::size_t index) {
 void append_line(Joining& joining, std::size_t index) {
   const WorkLine& line = joining.lines[index];
   const Overrun worst = worst_overrun(joining.space, line.points);
-  if (worst.depth_m > kPassTolerance_m) {
+  if (worst.depth_m > kFitTolerance_m) {
     if (!joining.options.allow_overrun) {
       // Too little room at the end of a swath is a matter of the headland.
       const double to_end_m = (worst.p_W - line.points.back().p_W).norm();
@@ -211,6 +219,9 @@ std::vector<Pose> entry_poses(const Joining& joining, const Eigen::Vector2d& ent
 // The way from the entry to the first line, from the heading that makes it cheapest.
 void append_entry(Joining& joining, const Eigen::Vector2d& entry_W) {
   const PathPoint& to = joining.lines.front().points.front();
+  const double clearance_m = std::max(
+      -kFitTolerance_m,
+      clearance_between(joining.space, pose_of(to), pose_of(to), joining.options.clearance_m));
   const std::vector<Pose> poses = entry_poses(joining, entry_W);
   struct Choice {
     Pose from;
@@ -225,18 +236,15 @@ void append_entry(Joining& joining, const Eigen::Vector2d& entry_W) {
   std::stable_sort(choices.begin(), choices.end(),
                    [](const Choice& a, const Choice& b) { return a.turn.cost_m < b.turn.cost_m; });
   for (const Choice& choice : choices) {
-    if (!fits_along(joining.space, choice.from, choice.turn.arcs, joining.options.clearance_m)) {
-      continue;
-    }
+    if (!fits_along(joining.space, choice.from, choice.turn.arcs, clearance_m)) continue;
     append_arcs(joining, choice.from, choice.turn.arcs, to, PathKind::kTransit);
     return;
   }
-  const ConnectionOptions options{joining.radius_m, joining.options.clearance_m};
   // What blocks one heading blocks the others: a route is searched from the cheapest alone.
   if (!choices.empty()) {
     const Choice& choice = choices.front();
-    const auto arcs =
-        connect(joining.space, choice.from, pose_of(to), options, joining.node_budget);
+    const auto arcs = connect(joining.space, choice.from, pose_of(to),
+                              connection_options(joining, clearance_m), joining.node_budget);
     if (arcs) {
       append_arcs(joining, choice.from, *arcs, to, PathKind::kTransit);
       return;
@@ -254,17 +262,33 @@ void append_entry(Joining& joining, const Eigen::Vector2d& entry_W) {
   append_arcs(joining, from, arcs, to, PathKind::kTransit);
 }
 
+TightestPlace tightest_place(const FreeSpace& space, const Path& path, double asked_m) {
+  TightestPlace tightest;
+  for (const PathSegment& segment : path.segments) {
+    for (const PathPoint& point : segment.points) {
+      const double kept_m = clearance_m(space, pose_of(point), asked_m);
+      if (kept_m < asked_m - kFitTolerance_m && kept_m < tightest.clearance_m) {
+        tightest = {kept_m, point.p_W};
+      }
+    }
+  }
+  return tightest;
+}
+
 }  // namespace
 
 Path join_lines(const Field& field, const Vehicle& vehicle, const FreeSpace& space,
-                const std::vector<WorkLine>& lines, const PathOptions& options) {
-  Joining joining{field,       vehicle, lines, options, space, planning_turning_radius_m(vehicle),
-                  kNodeBudget, 0,       {}};
+                const std::vector<WorkLine>& lines, const PathOptions& options,
+                const CancelAsked& cancelled) {
+  Joining joining{field, vehicle, lines, options, space, cancelled};
+  joining.radius_m = planning_turning_radius_m(vehicle);
   if (field.entry_W) append_entry(joining, *field.entry_W);
   for (std::size_t i = 0; i < lines.size(); ++i) {
+    stop_if(cancelled);
     if (i > 0) append_connection(joining, i);
     append_line(joining, i);
   }
+  joining.path.tightest = tightest_place(space, joining.path, options.clearance_m);
   return std::move(joining.path);
 }
 

@@ -20,8 +20,9 @@ inline constexpr double kTransitWidths = 4.0;
 inline constexpr double kCurvatureTolerance = 0.02;
 
 // At least one line. `space` is the field's for this vehicle. The implement is down on the lines
-// and up between them. Throws PlanInfeasible as make_path does.
+// and up between them. Throws PlanInfeasible and Cancelled as make_path does.
 Path join_lines(const Field& field, const Vehicle& vehicle, const FreeSpace& space,
-                const std::vector<WorkLine>& lines, const PathOptions& options);
+                const std::vector<WorkLine>& lines, const PathOptions& options,
+                const CancelAsked& cancelled);
 
 }  // namespace headland

@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "planner/polygon.h"
+#include "planner/round_begin.h"
 #include "planner/turns.h"
 
 namespace headland {
 namespace {
 
 constexpr double kCutStep_m = 0.5;
-constexpr double kBeginStep_m = 1.0;   // between the places where a round may begin
 constexpr double kLeastSwath_m = 2.0;  // what is left of a swath that lies in the headland whole
 
 Pose pose_of(const PathPoint& point) { return {point.p_W, point.heading_rad}; }
@@ -44,55 +44,65 @@ bool closed(const Pass& pass) {
          (pass.points_W.front() - pass.points_W.back()).norm() < kRingGap_m;
 }
 
-// The closed round begun at another point, driven forwards or backwards.
-Pass begun_at(const Pass& round, std::size_t point, bool reversed) {
-  Pass begun{round.kind, {}};
-  const auto first = round.points_W.begin();
-  begun.points_W.assign(first + static_cast<std::ptrdiff_t>(point), round.points_W.end() - 1);
-  begun.points_W.insert(begun.points_W.end(), first, first + static_cast<std::ptrdiff_t>(point));
-  begun.points_W.push_back(begun.points_W.front());
-  if (reversed) std::reverse(begun.points_W.begin(), begun.points_W.end());
-  return begun;
-}
-
 // The round as a line that a turn from `from` reaches, by the cheapest one; none when no turn does.
 std::optional<WorkLine> begin_elsewhere(const Pass& round, const Pose& from, const FreeSpace& space,
                                         const ConnectionOptions& options, double implement_x_B_m) {
-  std::optional<WorkLine> best;
+  std::optional<Pass> best;
   double best_m = std::numeric_limits<double>::infinity();
-  const auto count = static_cast<double>(round.points_W.size() - 1);
-  const auto step = static_cast<std::size_t>(
-      std::max(1.0, std::floor(kBeginStep_m * count / length_m(round.points_W))));
-  for (std::size_t point = 0; point + 1 < round.points_W.size(); point += step) {
-    for (const bool reversed : {false, true}) {
-      WorkLine line = work_line(begun_at(round, point, reversed), implement_x_B_m);
-      const auto arcs = connect_by_turn(space, from, pose_of(line.points.front()), options);
-      if (!arcs || cost_m(*arcs) >= best_m) continue;
-      best_m = cost_m(*arcs);
-      best = std::move(line);
-    }
+  for (const RoundBegin& begin : round_begins(round.points_W, from.p_W)) {
+    stop_if(options.cancelled);
+    // No turn is shorter than the way as the crow flies, and the rest begins further away.
+    const double away_m = (round.points_W[begin.point] - from.p_W).norm();
+    if (away_m - std::abs(implement_x_B_m) >= best_m) break;
+    Pass begun{round.kind, begun_at(round.points_W, begin)};
+    const Pose to = pose_of(work_line_begin(begun, implement_x_B_m));
+    const auto arcs = connect_by_turn(space, from, to, options);
+    if (!arcs || cost_m(*arcs) >= best_m) continue;
+    best_m = cost_m(*arcs);
+    best = std::move(begun);
   }
-  return best;
+  if (!best) return std::nullopt;
+  return work_line(*best, implement_x_B_m);
 }
 
-// Cuts both lines' facing ends as little as makes a turn fit; the lengths cut off, if any.
+// How many points are cut off the end of one line and the begin of the next.
+struct Cut {
+  std::size_t off_end = 0;
+  std::size_t off_begin = 0;
+};
+
+Cut cut_by(const WorkLine& from, double end_m, const WorkLine& to, double begin_m, int steps) {
+  return {points_within(from, std::min(steps * kCutStep_m, end_m)),
+          points_within(to, std::min(steps * kCutStep_m, begin_m))};
+}
+
+// Cuts both lines' facing ends as little as makes a turn fit; the lengths cut off, if any. Taken to
+// be so that no smaller cut will do where a larger one does not.
 std::vector<double> cut_back(WorkLine& from, double end_m, WorkLine& to, double begin_m,
                              const FreeSpace& space, const ConnectionOptions& options) {
-  const double most_m = std::max(end_m, begin_m);
-  for (double cut_m = kCutStep_m; cut_m < most_m + kCutStep_m; cut_m += kCutStep_m) {
-    const std::size_t off_end = points_within(from, std::min(cut_m, end_m));
-    const std::size_t off_begin = points_within(to, std::min(cut_m, begin_m));
-    const PathPoint last = from.points[from.points.size() - 1 - off_end];
-    const PathPoint first = to.points[off_begin];
-    if (!connect_by_turn(space, pose_of(last), pose_of(first), options)) continue;
-    std::vector<double> cuts;
-    if (off_end > 0) cuts.push_back((from.points.back().p_W - last.p_W).norm());
-    if (off_begin > 0) cuts.push_back((to.points.front().p_W - first.p_W).norm());
-    from.points.resize(from.points.size() - off_end);
-    to.points.erase(to.points.begin(), to.points.begin() + static_cast<std::ptrdiff_t>(off_begin));
-    return cuts;
+  const auto turn_fits = [&](int steps) {
+    stop_if(options.cancelled);
+    const Cut cut = cut_by(from, end_m, to, begin_m, steps);
+    const PathPoint& last = from.points[from.points.size() - 1 - cut.off_end];
+    return connect_by_turn(space, pose_of(last), pose_of(to.points[cut.off_begin]), options)
+        .has_value();
+  };
+  int enough = static_cast<int>(std::ceil(std::max(end_m, begin_m) / kCutStep_m));
+  if (enough == 0 || !turn_fits(enough)) return {};
+  for (int too_little = 0; enough - too_little > 1;) {
+    const int middle = (too_little + enough) / 2;
+    (turn_fits(middle) ? enough : too_little) = middle;
   }
-  return {};
+  const Cut cut = cut_by(from, end_m, to, begin_m, enough);
+  const PathPoint last = from.points[from.points.size() - 1 - cut.off_end];
+  const PathPoint first = to.points[cut.off_begin];
+  std::vector<double> cuts_m;
+  if (cut.off_end > 0) cuts_m.push_back((from.points.back().p_W - last.p_W).norm());
+  if (cut.off_begin > 0) cuts_m.push_back((to.points.front().p_W - first.p_W).norm());
+  from.points.resize(from.points.size() - cut.off_end);
+  to.points.erase(to.points.begin(),
+                  to.points.begin() + static_cast<std::ptrdiff_t>(cut.off_begin));
+  return cuts_m;
 }
 
 }  // namespace
@@ -104,14 +114,17 @@ std::vector<double> make_room_for_turns(const Plan& plan, const Field& field,
       buffered(from_field(field), -plan.headland_width_m, Join::kRound);
   std::vector<double> cuts;
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    stop_if(options.cancelled);
     WorkLine& from = lines[i];
     WorkLine& to = lines[i + 1];
     const Pose end = pose_of(from.points.back());
     if (connect_by_turn(space, end, pose_of(to.points.front()), options)) continue;
     if (closed(plan.passes[i + 1])) {
       auto round = begin_elsewhere(plan.passes[i + 1], end, space, options, implement_x_B_m);
-      if (round) to = std::move(*round);
-      continue;
+      if (round) {
+        to = std::move(*round);
+        continue;
+      }
     }
     const double end_m = allowance(plan.passes[i], inside_headland).end_m;
     const double begin_m = allowance(plan.passes[i + 1], inside_headland).begin_m;

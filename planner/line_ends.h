@@ -10,14 +10,14 @@
 
 namespace headland {
 
-// `lines` are those of the plan's passes. Between two lines that no turn joins:
+// `lines` are those of the plan's passes. Between two lines that no turn with the clearance joins:
 // - a closed round is begun elsewhere, or driven the other way round, at the cheapest place that a
 //   turn reaches;
 // - swaths are cut back. Planners let them reach into headland ground that no round covers, for
 //   its coverage; they are shortened by as little as makes a turn fit and never further than the
 //   headland's edge (headland_width_m of the plan). Beyond that the headland itself is too narrow,
 //   and the lines stay as they are.
-// Returns the lengths [m] cut off swath ends.
+// Returns the lengths [m] cut off swath ends. Throws Cancelled.
 std::vector<double> make_room_for_turns(const Plan& plan, const Field& field,
                                         const FreeSpace& space, const ConnectionOptions& options,
                                         double implement_x_B_m, std::vector<WorkLine>& lines);

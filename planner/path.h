@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,10 +43,18 @@ struct PathViolation {
   std::string what;
 };
 
+// Where the hull keeps least from boundary, holes and obstacles, of the places that keep less than
+// the clearance asked for; negative where it protrudes.
+struct TightestPlace {
+  double clearance_m = std::numeric_limits<double>::infinity();  // none keeps less
+  Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
+};
+
 struct Path {
   std::vector<PathSegment> segments;
   std::vector<PathViolation> violations;  // empty unless overruns were allowed
   std::vector<double> cut_back_m;         // of swath ends shortened for their turn's room
+  TightestPlace tightest;                 // known to who made the path, not kept in files
 };
 
 double length_m(const PathSegment& segment);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "planner/cancel.h"
 #include "terrains/field.h"
 #include "terrains/heightfield.h"
 #include "terrains/parameter.h"
@@ -32,8 +33,10 @@ struct PlanRequest {
   double vehicle_width_m = 0.0;   // hull, without implement
   double vehicle_front_m = 0.0;   // hull ahead of the rear axle
   double vehicle_rear_m = 0.0;    // hull (with raised implement) behind the rear axle
+  double clearance_m = 0.1;       // to be kept between hull and boundary, holes and obstacles
   Parameters parameters;          // resolved against the planner's specs
   std::uint64_t seed = 1;
+  CancelAsked cancelled;  // ends planning with Cancelled
 };
 
 struct Plan {

@@ -36,6 +36,9 @@ inline constexpr double kMitreLimit = 5.0;
 // All functions below throw InputError when GEOS cannot work with the rings (they cross
 // themselves).
 
+// Discs, of obstacles or looked for, are exact to within this [m].
+inline constexpr double kDiscTolerance_m = 0.005;
+
 // The field's ground: boundary minus holes minus a disc of radius_m + obstacle_margin_m around
 // every obstacle. Discs are circumscribed polygons, never smaller than the circle.
 PolygonSet from_field(const Field& field, double obstacle_margin_m = 0.0);
@@ -45,12 +48,21 @@ PolygonSet from_field(const Field& field, double obstacle_margin_m = 0.0);
 PolygonSet buffered(const PolygonSet& set, double distance_m, Join join,
                     int quadrant_segments = kQuadrantSegments);
 
+// With fewer points: everywhere within tolerance_m of the set's edges, the same parts and holes.
+PolygonSet simplified(const PolygonSet& set, double tolerance_m);
+
 PolygonSet difference(const PolygonSet& a, const PolygonSet& b);
-PolygonSet intersection(const PolygonSet& a, const PolygonSet& b);
 PolygonSet united(std::span<const PolygonSet> sets);
 
 // Whether all of `part` lies in `whole`, edges included; much cheaper than a difference.
 bool covers(const PolygonSet& whole, const PolygonSet& part);
+
+// The largest disc inside the set, to within kDiscTolerance_m; radius 0 for an empty set.
+struct Disc {
+  Eigen::Vector2d centre_W = Eigen::Vector2d::Zero();
+  double radius_m = 0.0;
+};
+Disc widest_disc(const PolygonSet& set);
 
 // What a bar of width_m leaves worked when its middle is pulled along `line`: flat ends, round
 // joins. Empty for a line without length.

@@ -15,6 +15,11 @@ constexpr int kErosionSteps = 3;
 // Ground that may be lacking from the clearance before the boundary swings out [fraction of the
 // radius]: below the rounding's own error.
 constexpr double kClearanceSlack = 0.02;
+// Points that the shape does without are left out before it is rounded again [m]; the chords of
+// arcs are further from them.
+constexpr double kShape_m = 0.001;
+// Fillings smaller than this [part of the radius squared] are seams between arcs made of chords.
+constexpr double kSliverPerRadius2 = 1e-3;
 constexpr int kSwingBisections = 8;
 
 int quadrant_segments(double radius_m) {
@@ -38,12 +43,18 @@ PolygonSet opened_by(const PolygonSet& set, double radius_m) {
   return in_steps(buffered(set, -radius_m, Join::kRound, quadrant_segments(radius_m)), radius_m);
 }
 
+// Ground that keeps the clearance but for the rounding's own error.
+PolygonSet clear_ground(const Rounding& rounding) {
+  return buffered(rounding.limit, -(rounding.clearance_m - kClearanceSlack * rounding.radius_m),
+                  Join::kRound);
+}
+
 }  // namespace
 
-PolygonSet rounded(const PolygonSet& ground, double radius_m, double corner_radius_m,
-                   const PolygonSet& limit, double clearance_m) {
-  const PolygonSet clear =
-      buffered(limit, -(clearance_m - kClearanceSlack * radius_m), Join::kRound);
+PolygonSet rounded(const PolygonSet& ground, const Rounding& rounding,
+                   const CancelAsked& cancelled) {
+  const double radius_m = rounding.radius_m;
+  const PolygonSet clear = clear_ground(rounding);
   PolygonSet free = closed_by(ground, radius_m);
   if (!covers(clear, free)) {
     const PolygonSet too_near = difference(free, clear);
@@ -51,6 +62,7 @@ PolygonSet rounded(const PolygonSet& ground, double radius_m, double corner_radi
     double low_m = 0.0;
     double high_m = radius_m;
     for (int i = 0; i < kSwingBisections; ++i) {
+      stop_if(cancelled);
       const double shift_m = 0.5 * (low_m + high_m);
       const PolygonSet shifted = closed_by(buffered(ground, -shift_m, Join::kMitre), radius_m);
       (covers(clear, shifted) ? high_m : low_m) = shift_m;
@@ -62,7 +74,23 @@ PolygonSet rounded(const PolygonSet& ground, double radius_m, double corner_radi
         opened_by(difference(place, buffered(ground, -high_m, Join::kMitre)), radius_m);
     free = difference(free, kept_out);
   }
-  return opened_by(free, corner_radius_m);
+  return opened_by(free, rounding.corner_radius_m);
+}
+
+PolygonSet closed_where_clear(const PolygonSet& ground, const Rounding& rounding) {
+  const PolygonSet clear = clear_ground(rounding);
+  const PolygonSet shape = simplified(ground, kShape_m);
+  std::vector<PolygonSet> kept{shape};
+  for (PolygonPart& filled : difference(closed_by(shape, rounding.radius_m), shape).parts) {
+    PolygonSet filling{{std::move(filled)}};
+    if (area_m2(filling) < kSliverPerRadius2 * rounding.radius_m * rounding.radius_m) continue;
+    if (covers(clear, filling)) kept.push_back(std::move(filling));
+  }
+  return united(kept);
+}
+
+PolygonSet opened(const PolygonSet& ground, const Rounding& rounding) {
+  return opened_by(simplified(ground, kShape_m), rounding.corner_radius_m);
 }
 
 Polyline smoothed_ring(const Ring& ring, double sigma_m) {

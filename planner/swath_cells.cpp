@@ -143,12 +143,6 @@ double link_m(const CornerTable& table, const std::vector<Stop>& order, std::siz
                        order[to].second);
 }
 
-double total_m(const CornerTable& table, const std::vector<Stop>& order) {
-  double sum_m = 0.0;
-  for (std::size_t i = 0; i < order.size(); ++i) sum_m += link_m(table, order, i);
-  return sum_m;
-}
-
 void drive_backwards(const CornerTable& table, std::vector<Stop>& order, std::size_t first,
                      std::size_t last) {
   for (std::size_t i = first; i <= last; ++i) order[i].second ^= table.backwards[order[i].first];
@@ -258,7 +252,8 @@ std::vector<SwathCell> cells_of(const SwathGrid& grid) {
 }
 
 std::vector<CellVisit> order_cells(const SwathGrid& grid, const std::vector<SwathCell>& cells,
-                                   const std::optional<Eigen::Vector2d>& start_W) {
+                                   const std::optional<Eigen::Vector2d>& start_W,
+                                   const CancelAsked& cancelled) {
   const CornerTable table = corner_table(grid, cells, start_W);
   std::vector<Stop> order;
   if (cells.size() <= kExactCells) {
@@ -267,6 +262,7 @@ std::vector<CellVisit> order_cells(const SwathGrid& grid, const std::vector<Swat
     order = nearest_neighbour_order(table);
     bool improved = true;
     while (improved) {
+      stop_if(cancelled);
       const bool reversed = improve_by_reversal(table, order);
       improved = improve_by_moving(table, order) || reversed;
     }
@@ -275,18 +271,6 @@ std::vector<CellVisit> order_cells(const SwathGrid& grid, const std::vector<Swat
   visits.reserve(order.size());
   for (const auto& [cell, corner] : order) visits.push_back(visit_of(cell, corner));
   return visits;
-}
-
-double transit_m(const SwathGrid& grid, const std::vector<SwathCell>& cells,
-                 const std::vector<CellVisit>& order,
-                 const std::optional<Eigen::Vector2d>& start_W) {
-  std::vector<Stop> stops;
-  stops.reserve(order.size());
-  for (const CellVisit& visit : order) {
-    stops.emplace_back(visit.cell,
-                       (visit.from_last_line ? 1U : 0U) + (visit.from_far_end ? 2U : 0U));
-  }
-  return total_m(corner_table(grid, cells, start_W), stops);
 }
 
 std::vector<Pass> passes_of(const SwathGrid& grid, const SwathCell& cell, const CellVisit& visit) {

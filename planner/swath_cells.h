@@ -28,15 +28,11 @@ struct CellVisit {
 // Every cell once, the transits between them (straight distances) short in sum: exact by dynamic
 // programming for up to kExactCells cells, beyond that nearest neighbour improved by 2-opt and
 // or-opt until neither helps. `start_W` is where the vehicle comes from; without it the first
-// entry is free.
+// entry is free. Throws Cancelled.
 inline constexpr std::size_t kExactCells = 9;
 std::vector<CellVisit> order_cells(const SwathGrid& grid, const std::vector<SwathCell>& cells,
-                                   const std::optional<Eigen::Vector2d>& start_W);
-
-// Length [m] of the transits of such an order.
-double transit_m(const SwathGrid& grid, const std::vector<SwathCell>& cells,
-                 const std::vector<CellVisit>& order,
-                 const std::optional<Eigen::Vector2d>& start_W);
+                                   const std::optional<Eigen::Vector2d>& start_W,
+                                   const CancelAsked& cancelled = {});
 
 // The swaths of a visit in driving order, alternating in direction.
 std::vector<Pass> passes_of(const SwathGrid& grid, const SwathCell& cell, const CellVisit& visit);

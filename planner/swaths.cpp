@@ -234,11 +234,12 @@ SwathGrid lay_swaths(const PolygonSet& inner, const PolygonSet& drivable, double
 }
 
 SwathGrid best_swaths(const Field& field, const PolygonSet& inner, const PolygonSet& drivable,
-                      double width_m, double turning_radius_m) {
+                      double width_m, double turning_radius_m, const CancelAsked& cancelled) {
   const double turn_m = turn_length_m(width_m, turning_radius_m);
   SwathGrid best;
   double best_cost_m = std::numeric_limits<double>::infinity();
   for (const double direction_rad : directions_to_try(field)) {
+    stop_if(cancelled);
     SwathGrid grid = lay_swaths(inner, drivable, direction_rad, width_m, turn_m);
     const double cost_m = length_m(grid) + turn_m * static_cast<double>(grid.swaths.size());
     if (cost_m < best_cost_m * (1.0 - kSameCost) || best.lines == 0) {

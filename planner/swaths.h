@@ -50,8 +50,8 @@ SwathGrid lay_swaths(const PolygonSet& inner, const PolygonSet& drivable, double
 
 // The grid with the least length_m + turn_length_m per swath, over the directions of all edges of
 // the field (longest first) and kDirectionGrid_deg steps from the longest. Of equal ones the
-// first.
+// first. Throws Cancelled.
 SwathGrid best_swaths(const Field& field, const PolygonSet& inner, const PolygonSet& drivable,
-                      double width_m, double turning_radius_m);
+                      double width_m, double turning_radius_m, const CancelAsked& cancelled = {});
 
 }  // namespace headland

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "planner/polygon.h"
+#include "planner/segment.h"
+
 namespace headland {
 namespace {
 
@@ -12,12 +15,6 @@ using Points = std::vector<Vector2d>;
 
 // Corners flatter than this are within any receiver's noise and need no arc to be driven.
 constexpr double kFlat_rad = 1e-6;
-
-double distance_to_segment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
-  const Vector2d along = b - a;
-  const double t = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (p - a - t * along).norm();
-}
 
 // Keeps the points of [first, last] that the line needs to stay within the tolerance.
 void keep_needed(const Points& points, std::size_t first, std::size_t last, double tolerance_m,
@@ -29,10 +26,7 @@ void keep_needed(const Points& points, std::size_t first, std::size_t last, doub
     double furthest_m = tolerance_m;
     std::size_t furthest = a;
     for (std::size_t i = a + 1; i < b; ++i) {
-      // A stretch that comes back to where it began has no direction to measure from.
-      const double distance_m = (points[b] - points[a]).norm() > 0.0
-                                    ? distance_to_segment(points[i], points[a], points[b])
-                                    : (points[i] - points[a]).norm();
+      const double distance_m = distance_to_segment(points[i], points[a], points[b]);
       if (distance_m > furthest_m) {
         furthest_m = distance_m;
         furthest = i;
@@ -109,12 +103,6 @@ TrackPiece rounded_piece(const Points& line, const std::vector<Corner>& corners)
     used_m = taken_m;
   }
   return piece;
-}
-
-double length_m(const Points& line) {
-  double sum_m = 0.0;
-  for (std::size_t i = 1; i < line.size(); ++i) sum_m += (line[i] - line[i - 1]).norm();
-  return sum_m;
 }
 
 // Draws the line back by a length of its first or last edge, which must be longer.

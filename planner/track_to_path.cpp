@@ -5,6 +5,7 @@
 
 #include "planner/drivable_path.h"
 #include "planner/join_lines.h"
+#include "planner/outline.h"
 #include "planner/track_pieces.h"
 
 namespace headland {
@@ -66,7 +67,8 @@ std::string place_name(const Eigen::Vector2d& p_W) {
 }  // namespace
 
 Path make_drivable(const Field& field, const Vehicle& vehicle, const Track& track,
-                   double tolerance_m, const PathOptions& options, TrackReport* report) {
+                   double tolerance_m, const PathOptions& options, TrackReport* report,
+                   const CancelAsked& cancelled) {
   const double ahead_m = -vehicle.implement.x_B_m;
   const TrackPieces found =
       track_pieces(track, tolerance_m, planning_turning_radius_m(vehicle), ahead_m);
@@ -93,7 +95,8 @@ Path make_drivable(const Field& field, const Vehicle& vehicle, const Track& trac
           fmt::format("piece shorter than {} m at {} left out", kMinPiece_m, place_name(dropped)));
     }
   }
-  return join_lines(field, vehicle, free_space(field, hull_of(vehicle)), lines, options);
+  return join_lines(field, vehicle, free_space(simplified(field), hull_of(vehicle)), lines, options,
+                    cancelled);
 }
 
 }  // namespace headland

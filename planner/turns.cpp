@@ -30,8 +30,6 @@ constexpr std::array<Gears, 4> kGears = {{{F, F, F}, {F, B, F}, {B, F, F}, {F, F
 
 double sign_of(Gear gear) { return gear == Gear::kForward ? 1.0 : -1.0; }
 
-char letter_of(double side) { return side > 0.0 ? 'L' : (side < 0.0 ? 'R' : 'S'); }
-
 // The arc on `side` (+1 left) that turns the body from one heading to the other in `gear`.
 Arc turning_arc(double from_rad, double to_rad, double side, Gear gear, double radius_m) {
   double angle_rad = side * sign_of(gear) * (to_rad - from_rad);
@@ -157,15 +155,6 @@ std::vector<double> run_outs_m(double level_m, double radius_m) {
 }
 
 }  // namespace
-
-std::string word_of(const std::vector<Arc>& arcs) {
-  std::string word;
-  for (const Arc& arc : arcs) {
-    word += letter_of(arc.curvature_per_m);
-    if (arc.gear == Gear::kReverse) word += '\'';
-  }
-  return word;
-}
 
 double cost_m(const std::vector<Arc>& arcs) {
   return length_m(arcs) + (kReverseMetreCost - 1.0) * reverse_length_m(arcs) +

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "planner/arcs.h"
@@ -20,11 +19,6 @@ struct Turn {
 };
 
 double cost_m(const std::vector<Arc>& arcs);
-
-// The curve's name: L, R, S for left, right, straight, with ' after what is reversed. Between
-// opposite neighbouring swaths LSL is the U turn, RLR and LRL the omega (bulb) turn and LS'L the
-// three-point (fishtail) turn.
-std::string word_of(const std::vector<Arc>& arcs);
 
 // Every turn of these families that exists, cheapest first, each ending within 1e-6 m and rad of
 // `to`: arc-line-arc and arc-arc-arc with the gears fff (all Dubins curves), frf, rff and ffr, and

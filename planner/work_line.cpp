@@ -69,24 +69,28 @@ PathPoint smooth_path_point(const ArcLengthLine& line, double s_m) {
   return point;
 }
 
+PathPoint axle_point(const Pass& pass, const ArcLengthLine& line, double s_m) {
+  if (pass.points_W.size() > 2) return smooth_path_point(line, s_m);
+  const Vector2d along = pass.points_W[1] - pass.points_W[0];
+  return {line.point(s_m), std::atan2(along.y(), along.x()), 0.0};
+}
+
 }  // namespace
 
 WorkLine work_line(const Pass& pass, double implement_x_B_m) {
   WorkLine work;
   work.kind = pass.kind == PassKind::kSwath ? PathKind::kSwath : PathKind::kHeadlandPass;
   const ArcLengthLine line = arc_length_line(pass.points_W);
-  const bool straight = pass.points_W.size() == 2;
-  const Vector2d along = pass.points_W[1] - pass.points_W[0];
   const int steps = std::max(1, static_cast<int>(std::ceil(line.length_m() / kPathSpacing_m)));
   for (int i = 0; i <= steps; ++i) {
     const double s_m = line.length_m() * i / steps - implement_x_B_m;
-    if (straight) {
-      work.points.push_back({line.point(s_m), std::atan2(along.y(), along.x()), 0.0});
-    } else {
-      work.points.push_back(smooth_path_point(line, s_m));
-    }
+    work.points.push_back(axle_point(pass, line, s_m));
   }
   return work;
+}
+
+PathPoint work_line_begin(const Pass& pass, double implement_x_B_m) {
+  return axle_point(pass, arc_length_line(pass.points_W), -implement_x_B_m);
 }
 
 }  // namespace headland

@@ -23,6 +23,9 @@ struct WorkLine {
 // The pass has two points or more, none repeated.
 WorkLine work_line(const Pass& pass, double implement_x_B_m);
 
+// Its first point alone.
+PathPoint work_line_begin(const Pass& pass, double implement_x_B_m);
+
 inline constexpr double kSmoothing_m = 0.75;
 
 // Ends nearer than this make a line of more than two points a closed ring.

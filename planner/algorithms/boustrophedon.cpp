@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
 
 #include "planner/headland_rings.h"
+#include "planner/outline.h"
+#include "planner/round_begin.h"
 #include "planner/swath_cells.h"
 #include "planner/swaths.h"
 #include "planner/turns.h"
@@ -18,21 +21,6 @@
 
 namespace headland {
 namespace {
-
-// Points of a ring between which its begin is looked for [m]; finer changes no turn.
-constexpr double kBeginSpacing_m = 1.0;
-// How exactly a refusal states the width that would do.
-constexpr double kWidthAnswer_m = 0.01;
-
-// Diameter [m] of the largest disc in the field, which is below too_wide_m.
-double widest_m(const PolygonSet& field, double too_wide_m) {
-  double fits_m = 0.0;
-  while (too_wide_m - fits_m > kWidthAnswer_m) {
-    const double middle_m = 0.5 * (fits_m + too_wide_m);
-    (buffered(field, -middle_m / 2.0, Join::kRound).parts.empty() ? too_wide_m : fits_m) = middle_m;
-  }
-  return fits_m;
-}
 
 void check_request(const PlanRequest& request) {
   const auto positive = [](const char* key, double value_m) {
@@ -43,21 +31,22 @@ void check_request(const PlanRequest& request) {
   positive("working_width_m", request.working_width_m);
   positive("turning_radius_m", request.turning_radius_m);
   positive("vehicle_width_m", request.vehicle_width_m);
-  const PolygonSet field = from_field(request.field);
-  const double reach_m = 0.5 * std::max(request.working_width_m, request.vehicle_width_m);
-  if (!buffered(field, -reach_m, Join::kRound).parts.empty()) return;
-  const bool hull = request.vehicle_width_m > request.working_width_m;
-  throw InputError("plan", hull ? "vehicle_width_m" : "working_width_m",
-                   fmt::format("{}", hull ? request.vehicle_width_m : request.working_width_m),
-                   fmt::format("wider than the field '{}' anywhere; at most {:.1f} m",
-                               request.field.name, widest_m(field, 2.0 * reach_m)));
+  const double widest_m = 2.0 * widest_disc(from_field(request.field)).radius_m;
+  const auto narrow = [&](const char* key, double value_m) {
+    if (value_m <= widest_m) return;
+    throw InputError("plan", key, fmt::format("{}", value_m),
+                     fmt::format("wider than the field '{}' anywhere; at most {:.1f} m",
+                                 request.field.name, widest_m));
+  };
+  narrow("working_width_m", request.working_width_m);
+  narrow("vehicle_width_m", request.vehicle_width_m);
 }
 
 SwathGrid make_swaths(const PlanRequest& request, const Headland& headland) {
   const auto direction_deg = number_unless_word(request.parameters, "swath_direction_deg");
   if (!direction_deg) {
     return best_swaths(request.field, headland.inner, headland.drivable, request.working_width_m,
-                       request.turning_radius_m);
+                       request.turning_radius_m, request.cancelled);
   }
   return lay_swaths(headland.inner, headland.drivable,
                     std::fmod(*direction_deg, 180.0) * std::numbers::pi / 180.0,
@@ -66,9 +55,9 @@ SwathGrid make_swaths(const PlanRequest& request, const Headland& headland) {
 }
 
 void append_swaths(const SwathGrid& grid, const std::optional<Eigen::Vector2d>& start_W,
-                   std::vector<Pass>& passes) {
+                   const CancelAsked& cancelled, std::vector<Pass>& passes) {
   const std::vector<SwathCell> cells = cells_of(grid);
-  for (const CellVisit& visit : order_cells(grid, cells, start_W)) {
+  for (const CellVisit& visit : order_cells(grid, cells, start_W, cancelled)) {
     for (Pass& pass : passes_of(grid, cells[visit.cell], visit)) passes.push_back(std::move(pass));
   }
 }
@@ -86,42 +75,32 @@ Pose end_pose(const Pass& pass) {
   return {line.back(), heading_of(line.back() - line[line.size() - 2])};
 }
 
-struct RingBegin {
-  std::size_t point = 0;
-  bool reversed = false;
+// How a round is best begun, and at what cost.
+struct RoundChoice {
+  RoundBegin begin;
   double cost_m = std::numeric_limits<double>::infinity();
 };
 
-// Where a vehicle at the end of `before` best joins `ring`: the shortest forward curve, or, where
-// nothing has been driven yet, the nearest point.
-RingBegin best_begin(const Polyline& ring, const Pass* before,
-                     const std::optional<Eigen::Vector2d>& entry_W, double turning_radius_m) {
-  RingBegin best;
-  const std::size_t count = ring.size() - 1;
-  const auto step = std::max<std::size_t>(
-      1, static_cast<std::size_t>(kBeginSpacing_m * static_cast<double>(count) / length_m(ring)));
-  for (std::size_t i = 0; i < count; i += step) {
-    const Eigen::Vector2d along = ring[i + 1] - ring[(i + count - 1) % count];
-    for (const bool reversed : {false, true}) {
-      double cost_m = 0.0;
-      if (before != nullptr) {
-        const Pose to{ring[i], heading_of(reversed ? Eigen::Vector2d(-along) : along)};
-        cost_m = forward_length_m(end_pose(*before), to, turning_radius_m);
-      } else if (entry_W) {
-        cost_m = (ring[i] - *entry_W).norm();
-      }
-      if (cost_m < best.cost_m) best = {i, reversed, cost_m};
+// Where a vehicle at the end of `before` best joins `round`: the shortest forward curve, or, where
+// nothing has been driven yet, the nearest point. Nothing that costs `enough_m` is looked for.
+RoundChoice best_begin(const Polyline& round, const Pass* before, const Eigen::Vector2d& from_W,
+                       double turning_radius_m, double enough_m) {
+  RoundChoice best;
+  const std::size_t count = round.size() - 1;
+  for (const RoundBegin& begin : round_begins(round, from_W)) {
+    const Eigen::Vector2d& p_W = round[begin.point];
+    double cost_m = (p_W - from_W).norm();
+    // No curve is shorter than the way as the crow flies, and the rest begins further away.
+    if (cost_m >= std::min(enough_m, best.cost_m)) break;
+    if (before != nullptr) {
+      const Eigen::Vector2d along =
+          round[begin.point + 1] - round[(begin.point + count - 1) % count];
+      const Pose to{p_W, heading_of(begin.reversed ? Eigen::Vector2d(-along) : along)};
+      cost_m = forward_length_m(end_pose(*before), to, turning_radius_m);
     }
+    if (cost_m < best.cost_m) best = {begin, cost_m};
   }
   return best;
-}
-
-Polyline opened_at(const Polyline& ring, const RingBegin& begin) {
-  Polyline line(ring.begin() + static_cast<std::ptrdiff_t>(begin.point), ring.end() - 1);
-  line.insert(line.end(), ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(begin.point));
-  line.push_back(line.front());
-  if (begin.reversed) std::reverse(line.begin(), line.end());
-  return line;
 }
 
 // Rings of the boundary in the order of their rounds, and those around holes by nearness: before
@@ -135,21 +114,33 @@ void append_rings(const Headland& headland, bool inwards, const PlanRequest& req
     return inwards ? std::pair(0, ring->round) : std::pair(1, -ring->round);
   };
   while (!left.empty()) {
+    stop_if(request.cancelled);
     const auto least = rank(*std::min_element(left.begin(), left.end(),
                                               [&](auto* a, auto* b) { return rank(a) < rank(b); }));
-    auto next = left.end();
-    RingBegin begin;
-    for (auto ring = left.begin(); ring != left.end(); ++ring) {
-      if (rank(*ring) != least) continue;
-      const RingBegin found = best_begin((*ring)->line_W, passes.empty() ? nullptr : &passes.back(),
-                                         request.field.entry_W, request.turning_radius_m);
-      if (found.cost_m < begin.cost_m) {
-        begin = found;
+    std::vector<const HeadlandRing*> nearest;
+    std::ranges::copy_if(left, std::back_inserter(nearest),
+                         [&](const HeadlandRing* ring) { return rank(ring) == least; });
+    const Pass* before = passes.empty() ? nullptr : &passes.back();
+    // Without an entry any round will do to begin with: the first one at its first point.
+    const Eigen::Vector2d from_W =
+        end_of(passes, request.field.entry_W).value_or(nearest.front()->line_W.front());
+    const auto away_m = [&](const HeadlandRing* ring) {
+      return ring->box_W.exteriorDistance(from_W);
+    };
+    std::ranges::stable_sort(nearest, {}, away_m);
+    const HeadlandRing* next = nullptr;
+    RoundChoice choice;
+    for (const HeadlandRing* ring : nearest) {
+      if (away_m(ring) >= choice.cost_m) break;
+      const RoundChoice found =
+          best_begin(ring->line_W, before, from_W, request.turning_radius_m, choice.cost_m);
+      if (found.cost_m < choice.cost_m) {
+        choice = found;
         next = ring;
       }
     }
-    passes.push_back({PassKind::kHeadlandPass, opened_at((*next)->line_W, begin)});
-    left.erase(next);
+    passes.push_back({PassKind::kHeadlandPass, begun_at(next->line_W, choice.begin)});
+    std::erase(left, next);
   }
 }
 
@@ -180,7 +171,9 @@ std::span<const ParameterSpec> boustrophedon_parameters() {
   return kParameters;
 }
 
-Plan plan_boustrophedon(const PlanRequest& request) {
+Plan plan_boustrophedon(const PlanRequest& asked_for) {
+  PlanRequest request = asked_for;
+  request.field = simplified(asked_for.field);
   check_request(request);
   const auto asked = number_unless_word(request.parameters, "headland_passes");
   const Headland headland =
@@ -193,7 +186,7 @@ Plan plan_boustrophedon(const PlanRequest& request) {
   plan.headland_width_m = headland.width_m;
   const bool headland_first = word(request.parameters, "headland_order") == "first";
   if (headland_first) append_rings(headland, true, request, plan.passes);
-  append_swaths(grid, end_of(plan.passes, request.field.entry_W), plan.passes);
+  append_swaths(grid, end_of(plan.passes, request.field.entry_W), request.cancelled, plan.passes);
   if (!headland_first) append_rings(headland, false, request, plan.passes);
   for (const Pass& pass : plan.passes) plan.planned_length_m += length_m(pass.points_W);
   return plan;

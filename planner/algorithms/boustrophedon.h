@@ -19,8 +19,10 @@ std::span<const ParameterSpec> boustrophedon_parameters();
 //    direction, with the shortest Dubins curve from where the vehicle comes from.
 // Flat: the terrain is not looked at. Nothing is random: the seed is not used. Corners of the
 // field that a round cannot reach into with the turning radius stay unworked.
+// Boundary and holes are taken as simplified() gives them.
 // Throws InputError for a working width or radius that is not a positive number, an implement or
-// vehicle wider than the field; PlanInfeasible when no round fits or swaths would be too many.
+// vehicle wider than the field; PlanInfeasible when no round fits or swaths would be too many;
+// Cancelled.
 Plan plan_boustrophedon(const PlanRequest& request);
 
 }  // namespace headland

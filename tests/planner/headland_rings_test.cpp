@@ -28,12 +28,12 @@ std::ptrdiff_t rings_of_round(const Headland& headland, int round) {
 
 TEST(HeadlandRings, TurningDepthFollowsItsFormula) {
   const Field square = field_of("square", rectangle_ring(0, 0, 150, 150));
-  // The implement reaches further than the hull's corner: 1.6 + 5 + 4.5.
-  EXPECT_DOUBLE_EQ(turning_depth_m(tractor(square)), 11.1);
+  // The implement reaches further than the hull's corner: 1.6 + 5 + 4.5, and the clearance.
+  EXPECT_DOUBLE_EQ(turning_depth_m(tractor(square)), 11.1 + 0.1);
   EXPECT_EQ(rounds_for_turning(tractor(square)), 2);
   // The hull's front corner reaches further: 0.9 + hypot(2.6 + 0.6, 2.3).
   const PlanRequest narrow = transplanter_request(square, "boustrophedon");
-  EXPECT_DOUBLE_EQ(turning_depth_m(narrow), 0.9 + std::hypot(3.2, 2.3));
+  EXPECT_DOUBLE_EQ(turning_depth_m(narrow), 0.9 + std::hypot(3.2, 2.3) + 0.1);
   EXPECT_EQ(rounds_for_turning(narrow), 3);
 }
 
@@ -45,7 +45,7 @@ TEST(HeadlandRings, FirstRoundKeepsTheSwingingFrontCornerInside) {
   const FirstRound round = first_round(request);
   EXPECT_DOUBLE_EQ(round.distance_m, std::hypot(round.radius_m + request.vehicle_width_m / 2.0,
                                                 request.vehicle_front_m) -
-                                         round.radius_m + kHullClearance_m);
+                                         round.radius_m + request.clearance_m + kRingMargin_m);
   // Corners wider than the turning radius cut more off but keep the whole ring nearer.
   EXPECT_GT(round.radius_m, request.turning_radius_m);
   const Headland headland = make_headland(request, 2);

@@ -48,6 +48,18 @@ TEST(SwathCells, CellIsDrivenUpAndDownFromTheCornerAskedFor) {
   }
 }
 
+// Straight distances to the first cell and from each to the next.
+double transit_m(const SwathGrid& grid, const std::vector<SwathCell>& cells,
+                 const std::vector<CellVisit>& order, Eigen::Vector2d at_W) {
+  double sum_m = 0.0;
+  for (const CellVisit& visit : order) {
+    const std::vector<Pass> passes = passes_of(grid, cells[visit.cell], visit);
+    sum_m += (passes.front().points_W.front() - at_W).norm();
+    at_W = passes.back().points_W.back();
+  }
+  return sum_m;
+}
+
 std::vector<SwathCell> single_cells(const SwathGrid& grid) {
   std::vector<SwathCell> cells;
   for (std::size_t i = 0; i < grid.swaths.size(); ++i) cells.push_back({i});

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace headland {
 namespace {
@@ -21,6 +22,18 @@ struct Neighbours {
   Pose to;
   explicit Neighbours(double spacing_m) : to{{spacing_m, 0.0}, -kPi / 2.0} {}
 };
+
+// The curve's name: L, R, S for left, right, straight, with ' after what is reversed. Between
+// opposite neighbouring swaths LSL is the U turn, RLR and LRL the omega (bulb) turn and LS'L the
+// three-point (fishtail) turn.
+std::string word_of(const std::vector<Arc>& arcs) {
+  std::string word;
+  for (const Arc& arc : arcs) {
+    word += arc.curvature_per_m > 0.0 ? 'L' : (arc.curvature_per_m < 0.0 ? 'R' : 'S');
+    if (arc.gear == Gear::kReverse) word += '\'';
+  }
+  return word;
+}
 
 const Turn* find_word(const std::vector<Turn>& found, const std::string& word) {
   const Turn* best = nullptr;

@@ -1,0 +1,56 @@
+// The vehicle seen from above: what must keep clear of boundary, holes and obstacles.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "planner/arcs.h"
+#include "vehicle_models/vehicle.h"
+
+namespace headland {
+
+// From the rear-axle centre: a box for the chassis, and the raised implement as a bar across, which
+// may hang over boundary and holes but not through obstacles.
+struct Hull {
+  double front_m = 0.0;  // reach ahead of the rear axle
+  double rear_m = 0.0;   // reach behind it
+  double half_width_m = 0.0;
+  double bar_x_m = 0.0;
+  double bar_half_width_m = 0.0;
+};
+
+Hull hull_of(const Vehicle& vehicle);
+// Distance [m] from the rear-axle centre to the chassis's furthest corner.
+double reach_m(const Hull& hull);
+// The same with the ends of the bar.
+double reach_with_bar_m(const Hull& hull);
+// How far [m] the chassis reaches from the rear-axle centre along a unit vector of W.
+double reach_along_m(const Hull& hull, double heading_rad, const Eigen::Vector2d& along_W);
+
+// A box in the frame of a pose: x along its heading.
+struct Box {
+  Eigen::Vector2d low;
+  Eigen::Vector2d high;
+};
+
+// The chassis, `shrunk_m` smaller on every side.
+Box chassis_of(const Hull& hull, double shrunk_m = 0.0);
+std::array<Eigen::Vector2d, 4> corners_of(const Box& box);
+double distance_to_box(const Eigen::Vector2d& p, const Box& box);
+// Depth of a point inside the box, negative outside.
+double depth_in_box(const Eigen::Vector2d& p, const Box& box);
+// The part of segment ab in the box, as fractions; false when there is none (Liang-Barsky).
+bool clip(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Box& box, double& t0,
+          double& t1);
+double segment_to_box(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Box& box);
+
+// Into the frame of a pose and back.
+struct PoseFrame {
+  explicit PoseFrame(const Pose& pose) : p_W(pose.p_W), x_W(direction_of(pose.heading_rad)) {}
+  Eigen::Vector2d local(const Eigen::Vector2d& point_W) const;
+  Eigen::Vector2d world(const Eigen::Vector2d& point) const;
+  Eigen::Vector2d p_W;
+  Eigen::Vector2d x_W;
+};
+
+}  // namespace headland

@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <cmath>
+
+#include "planner/free_space.h"
+#include "planner/segment.h"
+#include "planner/space_cells.h"
+
+namespace headland {
+namespace {
+
+using Eigen::Vector2d;
+
+// Depths nearer than this are equal: the first one found, a corner of the hull, names the place.
+constexpr double kSameDepth_m = 1e-9;
+
+double bar_gap_m(const FreeSpace& space, const PoseFrame& frame, const Obstacle& obstacle) {
+  const Hull& hull = space.hull;
+  return distance_to_segment(frame.local(obstacle.p_W), {hull.bar_x_m, -hull.bar_half_width_m},
+                             {hull.bar_x_m, hull.bar_half_width_m}) -
+         obstacle.radius_m;
+}
+
+CellRange cells_near(const FreeSpace& space, const Vector2d& p_W, double extent_m) {
+  const Vector2d extent = Vector2d::Constant(extent_m);
+  return cells_around(space, p_W - extent, p_W + extent);
+}
+
+// Visits the gaps between what is within `reach_m` of the hull and the hull with its chassis
+// `shrunk_m` smaller, until one says no; edges that touch the box have the gap 0.
+template <typename Visit>  // bool(double gap_m)
+bool every_gap(const FreeSpace& space, const Pose& pose, double shrunk_m, double reach_m,
+               Visit visit) {
+  const PoseFrame frame(pose);
+  const Box box = chassis_of(space.hull, shrunk_m);
+  const CellRange near = cells_near(space, pose.p_W, space.reach_with_bar_m + reach_m);
+  return every_cell(space, near, [&](const FreeSpace::Cell& cell) {
+    for (const int index : cell.edges) {
+      const FreeSpace::Edge& edge = space.edges[static_cast<std::size_t>(index)];
+      if (!visit(segment_to_box(frame.local(edge.a_W), frame.local(edge.b_W), box))) return false;
+    }
+    for (const int index : cell.obstacles) {
+      const Obstacle& obstacle = space.obstacles[static_cast<std::size_t>(index)];
+      const double chassis_m = distance_to_box(frame.local(obstacle.p_W), box) - obstacle.radius_m;
+      if (!visit(std::min(chassis_m, bar_gap_m(space, frame, obstacle) + shrunk_m))) return false;
+    }
+    return true;
+  });
+}
+
+}  // namespace
+
+double safe_distance_m(const FreeSpace& space, const Pose& pose) {
+  const CellPlace place = place_of(space, pose.p_W);
+  const double off_centre_m = (pose.p_W - place.centre_W).norm();
+  return std::min(place.cell.edge_distance_m - space.reach_m,
+                  place.cell.obstacle_distance_m - space.reach_with_bar_m) -
+         off_centre_m;
+}
+
+bool fits(const FreeSpace& space, const Pose& pose, double clearance_m) {
+  if (safe_distance_m(space, pose) > clearance_m) return true;
+  const Box box = chassis_of(space.hull);
+  if (!inside(space, PoseFrame(pose).world(0.5 * (box.low + box.high)))) return false;
+  const double kept_m = std::max(0.0, clearance_m);
+  const double shrunk_m = kept_m - clearance_m;
+  return every_gap(space, pose, shrunk_m, kept_m,
+                   [kept_m](double gap_m) { return gap_m > kept_m; });
+}
+
+double clearance_m(const FreeSpace& space, const Pose& pose, double most_m) {
+  if (safe_distance_m(space, pose) > most_m) return most_m;
+  if (!fits(space, pose, 0.0)) return -overrun(space, pose).depth_m;
+  double least_m = most_m;
+  every_gap(space, pose, 0.0, most_m, [&least_m](double gap_m) {
+    least_m = std::min(least_m, gap_m);
+    return true;
+  });
+  return least_m;
+}
+
+bool disc_fits(const FreeSpace& space, const Vector2d& p_W, double radius_m) {
+  const CellPlace place = place_of(space, p_W);
+  const double off_centre_m = (p_W - place.centre_W).norm();
+  const double nearest_m =
+      std::min<double>(place.cell.edge_distance_m, place.cell.obstacle_distance_m);
+  if (nearest_m - off_centre_m > radius_m) return true;
+  if (nearest_m + off_centre_m < radius_m || !inside(space, p_W)) return false;
+  return every_cell(space, cells_near(space, p_W, radius_m), [&](const FreeSpace::Cell& cell) {
+    for (const int index : cell.edges) {
+      const FreeSpace::Edge& edge = space.edges[static_cast<std::size_t>(index)];
+      if (distance_to_segment(p_W, edge.a_W, edge.b_W) <= radius_m) return false;
+    }
+    for (const int index : cell.obstacles) {
+      const Obstacle& obstacle = space.obstacles[static_cast<std::size_t>(index)];
+      if ((obstacle.p_W - p_W).norm() - obstacle.radius_m <= radius_m) return false;
+    }
+    return true;
+  });
+}
+
+Overrun overrun(const FreeSpace& space, const Pose& pose) {
+  Overrun worst;
+  if (fits(space, pose, 0.0)) return worst;
+  const PoseFrame frame(pose);
+  const Box box = chassis_of(space.hull);
+  const auto deepen = [&worst](double depth_m, const Vector2d& p_W, Limit limit) {
+    if (depth_m > worst.depth_m + kSameDepth_m) worst = {depth_m, p_W, limit};
+  };
+  for (const Vector2d& corner : corners_of(box)) {
+    const Vector2d p_W = frame.world(corner);
+    if (inside(space, p_W)) continue;
+    const NearestEdge nearest = nearest_edge(space, p_W);
+    deepen(nearest.distance_m, p_W, space.edges[static_cast<std::size_t>(nearest.edge)].limit);
+  }
+  const CellRange near = cells_near(space, pose.p_W, space.reach_with_bar_m);
+  every_cell(space, near, [&](const FreeSpace::Cell& cell) {
+    for (const int index : cell.edges) {
+      const FreeSpace::Edge& edge = space.edges[static_cast<std::size_t>(index)];
+      const Vector2d a = frame.local(edge.a_W);
+      const Vector2d b = frame.local(edge.b_W);
+      double t0 = 0.0;
+      double t1 = 0.0;
+      if (!clip(a, b, box, t0, t1)) continue;
+      for (const double t : {t0, 0.5 * (t0 + t1), t1}) {
+        const Vector2d p = a + t * (b - a);
+        deepen(depth_in_box(p, box), frame.world(p), edge.limit);
+      }
+    }
+    for (const int index : cell.obstacles) {
+      const Obstacle& obstacle = space.obstacles[static_cast<std::size_t>(index)];
+      const double gap_m = distance_to_box(frame.local(obstacle.p_W), box) - obstacle.radius_m;
+      deepen(-std::min(gap_m, bar_gap_m(space, frame, obstacle)), obstacle.p_W, Limit::kObstacle);
+    }
+    return true;
+  });
+  return worst;
+}
+
+}  // namespace headland
