@@ -23,7 +23,7 @@ constexpr double kWindowPerRadius = 0.2;
 // Rounding, clearance slack and filter may add up to this [part of the turning radius].
 constexpr double kRingErrorPerRadius = 0.035;
 // Attempts at a round without kinks before its rings that have some are given up.
-constexpr int kEvenings = 3;
+constexpr int kEvenings = 2;
 // Slivers between a rounded ring and an offset of the field are thinner than this [part of the
 // working width].
 constexpr double kSliverPerWidth = 1.0 / 16.0;

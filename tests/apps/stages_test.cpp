@@ -1,4 +1,5 @@
 // The command from end to end, on a tiny field.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -151,6 +152,22 @@ TEST_F(StagesTest, CtrlCWhileDrawingEndsAtOnceAndLeavesNoPicture) {
   EXPECT_LT(render.took_s, kAtOnce_s);
   EXPECT_EQ(text_of(folder_ / "DIR" / "field.png"), before);
   EXPECT_EQ(files_in("DIR").size(), 10U);
+}
+
+TEST_F(StagesTest, CtrlCEndsPlanningWithinASecond) {
+  std::string orchard = "field: {boundary: [[0, 0], [300, 0], [300, 300], [0, 300]], obstacles: [";
+  for (int tree = 0; tree < 196; ++tree) {
+    orchard += fmt::format("{}{{at: [{}, {}]}}", tree > 0 ? ", " : "",
+                           20 + tree / 14 * 20 + tree % 3, 20 + tree % 14 * 20 + tree % 5);
+  }
+  write("orchard.yaml", orchard + "]}\ncoverage: {cell_m: 1}\nvehicle: transplanter\n");
+  constexpr useconds_t kIntoPlanning_us = 500000;
+  constexpr double kAtOnce_s = 1.0;
+  const Interruption plan =
+      interrupt(folder_, {"plan", "orchard.yaml", "-o", "DIR"}, kIntoPlanning_us);
+  EXPECT_LT(plan.took_s, kAtOnce_s);
+  EXPECT_EQ(plan.exit_code, 130);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "DIR"));
 }
 
 TEST_F(StagesTest, CtrlCDropsTheRunAndKeepsThePlan) {

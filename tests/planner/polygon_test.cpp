@@ -45,7 +45,9 @@ TEST(Polygon, ObstaclesAreTakenOutNeverTooSmall) {
   const double discs_m2 = std::numbers::pi * (1.5 * 1.5 + 2.0 * 2.0);
   const double taken_m2 = 9600.0 - area_m2(from_field(field, margin_m));
   EXPECT_GE(taken_m2, discs_m2);
-  EXPECT_LE(taken_m2, discs_m2 * (1.0 + kChordAreaLoss));
+  const double most_m2 = std::numbers::pi * (std::pow(1.5 + kDiscTolerance_m, 2.0) +
+                                             std::pow(2.0 + kDiscTolerance_m, 2.0));
+  EXPECT_LE(taken_m2, most_m2);
 }
 
 TEST(Polygon, ObstacleAcrossTheBoundaryCutsAnOpenBay) {
@@ -55,8 +57,7 @@ TEST(Polygon, ObstacleAcrossTheBoundaryCutsAnOpenBay) {
   const PolygonSet set = from_field(field);
   ASSERT_EQ(set.parts.size(), 1U);
   EXPECT_TRUE(set.parts[0].holes.empty());
-  EXPECT_NEAR(area_m2(set), 100.0 - std::numbers::pi / 2.0,
-              kChordAreaLoss * std::numbers::pi / 2.0 + kAreaTolerance_m2);
+  EXPECT_NEAR(area_m2(set), 100.0 - std::numbers::pi / 2.0, kDiscTolerance_m * std::numbers::pi);
 }
 
 TEST(Polygon, MitreKeepsCornersAndRoundHasThePerimeterFormula) {
@@ -158,6 +159,23 @@ TEST(Polygon, LineIsClippedIntoPiecesInItsOwnDirection) {
   EXPECT_EQ(pieces[0].back(), Eigen::Vector2d(60, 50));
   EXPECT_EQ(pieces[1].back(), Eigen::Vector2d(0, 50));
   EXPECT_TRUE(clip_line({{45, 50}, {55, 50}}, set).empty());
+}
+
+TEST(Polygon, TheWidestDiscTouchesWhatIsNearest) {
+  const Disc square = widest_disc(ground(rectangle(10, 20, 40, 50)));
+  EXPECT_NEAR(square.radius_m, 15.0, kDiscTolerance_m);
+  EXPECT_NEAR((square.centre_W - Eigen::Vector2d(25, 35)).norm(), 0.0, 2.0 * kDiscTolerance_m);
+  EXPECT_EQ(widest_disc({}).radius_m, 0.0);
+}
+
+TEST(Polygon, SimplifyingKeepsCornersAndDropsWhatLiesOnEdges) {
+  Ring ring;
+  for (int i = 0; i < 400; ++i) ring.emplace_back(0.1 * i, i % 2 == 0 ? 0.0 : 0.004);
+  ring.insert(ring.end(), {{40.0, 0.0}, {40.0, 30.0}, {0.0, 30.0}});
+  const PolygonSet simple = simplified(ground(ring), 0.01);
+  ASSERT_EQ(simple.parts.size(), 1U);
+  EXPECT_EQ(simple.parts[0].outer.size(), 4U);
+  EXPECT_NEAR(area_m2(simple), 1200.0, 0.004 * 40.0);
 }
 
 TEST(Polygon, CrossingRingsAreRefused) {
