@@ -21,7 +21,8 @@ std::span<const ParameterSpec> boustrophedon_parameters();
 // field that a round cannot reach into with the turning radius stay unworked.
 // Boundary and holes are taken as simplified() gives them.
 // Throws InputError for a working width or radius that is not a positive number, an implement or
-// vehicle wider than the field; PlanInfeasible when no round fits or swaths would be too many;
+// vehicle wider than the field; PlanInfeasible when no round fits, swaths would be too many
+// or the outline is all teeth;
 // Cancelled.
 Plan plan_boustrophedon(const PlanRequest& request);
 
