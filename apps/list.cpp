@@ -58,9 +58,7 @@ Json soils_json() {
   Json list = Json::array();
   for (const Soil& soil : soils()) {
     list.push_back({{"name", soil.name},
-                    {"friction", soil.friction},
-                    {"rolling_resistance", soil.rolling_resistance},
-                    {"slip_stiffness", soil.slip_stiffness},
+                    {"law", law_text(soil)},
                     {"lateral_gamma_rad", soil.lateral_gamma_rad},
                     {"source", soil.source}});
   }
@@ -130,7 +128,7 @@ struct Listing {
 constexpr Listing kListings[] = {
     {"planners", "Planners, their source and parameters", planners_json},
     {"vehicles", "Built-in vehicles", vehicles_json},
-    {"soils", "Soils, their coefficients and source", soils_json},
+    {"soils", "Soils, their law of traction and source", soils_json},
     {"generators", "Terrain generators and their parameters", generators_json},
 };
 

@@ -14,7 +14,7 @@ constexpr double kRate_hz = 240.0;
 void add_speed(std::vector<bench::Figure>& figures) {
   const Vehicle vehicle = load_vehicle("transplanter");
   const Heightfield terrain = test::hills(1.0, 25.0);
-  const Soil soil = test::textbook_soil();
+  const SoilMap soil = test::textbook_soil();
   const Path path = test::rows_with_omega_turns(12, 40.0, 2.0, planning_turning_radius_m(vehicle));
   const Field field = test::open_field();
   const Machine machine = make_machine(vehicle, terrain, soil);

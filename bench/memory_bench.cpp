@@ -41,7 +41,7 @@ std::vector<bench::Figure> measure(double hours) {
   vehicle.battery.capacity_ah *= 1000.0;  // no charging in between
   const Heightfield terrain = test::hills(1.0, 30.0);
   const Field field = test::open_field();
-  const Soil soil = test::textbook_soil();
+  const SoilMap soil = test::textbook_soil();
   const Path path = laps(vehicle, hours);
   SimulationOptions options;
   options.max_time_s = hours * 3600.0;

@@ -52,7 +52,7 @@ std::string scenario_yaml(const Scenario& scenario);
 struct Stage {
   Field field;
   Heightfield terrain;
-  Soil soil;
+  SoilMap soil;
   Vehicle vehicle;  // with the scenario's working width
 };
 

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "evaluate/scenario.h"
 #include "terrains/soil.h"
 #include "vehicle_models/vehicle_check.h"
@@ -15,8 +13,7 @@ Stage load_stage(const Scenario& scenario) {
   if (scenario.field.file.empty()) stage.field.name = scenario.name;
   stage.terrain = read_terrain(scenario.terrain, stage.field, source);
   // read_scenario has found the name in the table.
-  stage.soil = *std::find_if(soils().begin(), soils().end(),
-                             [&](const Soil& soil) { return soil.name == scenario.soil; });
+  stage.soil = uniform_soil(*find_soil(scenario.soil));
   stage.vehicle = load_vehicle(scenario.vehicle);
   stage.vehicle.implement.working_width_m = scenario.working_width_m;
   check_vehicle(stage.vehicle, source);  // draft goes with the width

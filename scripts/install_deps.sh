@@ -12,6 +12,8 @@ packages=(
   libbullet-dev libeigen3-dev
   # maps, geometry, curves
   libgdal-dev libgeos-dev libompl-dev
+  # numerics
+  libboost-dev
   # files and the command line
   liburdfdom-dev libtinyxml-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev
   # pictures

@@ -48,7 +48,8 @@ StepLosses step_losses(const StepWork& work) {
     of(cause_w, EnergyCause::kSlip) -=
         work.tyres.along_n[i] * (along_mps - work.wheels[i].radius_m * spin_mid);
     of(cause_w, EnergyCause::kScrub) -= work.tyres.across_n[i] * across_mps;
-    of(cause_w, EnergyCause::kRolling) -= work.tyres.rolling_nm[i] * spin_mid;
+    of(cause_w, EnergyCause::kRolling) -=
+        work.tyres.rolling_nm[i] * spin_mid + work.tyres.soil_n[i] * along_mps;
     of(cause_w, EnergyCause::kBrake) -= work.tyres.brake_nm[i] * relative;
     of(cause_w, EnergyCause::kSuspension) -= contact.damping_n * normal_mps;
     if (work.wheels[i].driven) {

@@ -46,7 +46,7 @@ struct Load {
 
 }  // namespace
 
-Machine make_machine(const Vehicle& vehicle, const Heightfield& terrain, const Soil& soil) {
+Machine make_machine(const Vehicle& vehicle, const Heightfield& terrain, const SoilMap& soil) {
   const ChassisMass mass = chassis_mass(vehicle);
   return {vehicle, terrain, soil, mass, define_wheels(vehicle, mass)};
 }

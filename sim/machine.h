@@ -8,7 +8,7 @@
 #include "sim/ledger.h"
 #include "sim/tyre.h"
 #include "terrains/heightfield.h"
-#include "terrains/soil.h"
+#include "terrains/soil_map.h"
 #include "vehicle_models/vehicle.h"
 
 namespace headland {
@@ -17,12 +17,12 @@ namespace headland {
 struct Machine {
   const Vehicle& vehicle;
   const Heightfield& terrain;
-  const Soil& soil;
+  const SoilMap& soil;
   ChassisMass mass;
   PerWheel<WheelDefinition> wheels;
 };
 
-Machine make_machine(const Vehicle& vehicle, const Heightfield& terrain, const Soil& soil);
+Machine make_machine(const Vehicle& vehicle, const Heightfield& terrain, const SoilMap& soil);
 
 // What evolves besides the rigid body, which Bullet keeps.
 struct MachineState {

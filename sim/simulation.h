@@ -9,7 +9,7 @@
 #include "sim/run_record.h"
 #include "terrains/field.h"
 #include "terrains/heightfield.h"
-#include "terrains/soil.h"
+#include "terrains/soil_map.h"
 #include "vehicle_models/vehicle.h"
 
 namespace headland {
@@ -34,7 +34,7 @@ struct SimulationProgress {
 struct SimulationSetup {
   const Field& field;
   const Heightfield& terrain;
-  const Soil& soil;
+  const SoilMap& soil;
   const Vehicle& vehicle;
   const Path& path;
   SimulationOptions options;

@@ -49,13 +49,14 @@ struct Bristle {
   double stiffness_y = 0.0;
 };
 
-Bristle linearise(const Soil& soil, double load_n, double z_x_m, double z_y_m) {
-  const double c_x = soil.slip_stiffness / kRelaxationLength_m;
-  const double c_y = 1.0 / (soil.lateral_gamma_rad * kRelaxationLength_m);
-  const double u = std::hypot(c_x * z_x_m, c_y * z_y_m);
-  constexpr double kSmall = 1e-9;  // below it (1 - exp(-u)) / u loses its digits; its limit is 1
-  const double secant = u > kSmall ? -std::expm1(-u) / u : 1.0;
-  const double strength = soil.friction * load_n * secant;
+Bristle linearise(const Traction& traction, double lateral_gamma_rad, double load_n, double z_x_m,
+                  double z_y_m) {
+  const double c_x = traction.slip_stiffness / kRelaxationLength_m;
+  const double c_y = 1.0 / (lateral_gamma_rad * kRelaxationLength_m);
+  // The secant's limit at no deflection is the initial slope, which this u is close enough to.
+  constexpr double kSmall = 1e-9;
+  const double u = std::max(std::hypot(c_x * z_x_m, c_y * z_y_m), kSmall);
+  const double strength = load_n * gross_pull(traction, u) / u;
   return {strength * c_x, strength * c_y};
 }
 
@@ -78,6 +79,8 @@ struct WheelRows {
   double coulomb_impulse = 0.0;   // signed, on the wheel, brake and rolling together
   double coulomb_limit = 0.0;     // impulse
   double brake_share = 0.0;       // of the limit
+  double soil_impulse = 0.0;      // of the soil against the motion, on the hub
+  double soil_limit = 0.0;        // impulse
   double relax_speed_mps = 0.0;
   double z_x_new = 0.0;
   double z_y_new = 0.0;
@@ -142,6 +145,15 @@ void solve_across(WheelRows& rows, Motion& motion, const WheelState& state, doub
   rows.z_y_new = (state.bristle_y_m + dt_s * (velocity + rows.y.mobility * impulse)) / relax;
 }
 
+// The soil's resistance to being rolled over pushes on the hub like dry friction.
+void solve_soil(WheelRows& rows, Motion& motion) {
+  const double velocity = rows.x.velocity(motion) - rows.x.mobility * rows.soil_impulse;
+  const double impulse = std::clamp(-velocity / rows.x.mobility, -rows.soil_limit, rows.soil_limit);
+  const double change = impulse - rows.soil_impulse;
+  motion.add_impulse(change * rows.x.direction, change * rows.x.angular);
+  rows.soil_impulse = impulse;
+}
+
 // Slip ratio as defined for driving (over the wheel's speed) and braking (over the ground speed).
 // Below kSlowest_mps it is taken over that speed: moving off winds the tyres up by millimetres,
 // which over a speed near zero would read as wheel spin.
@@ -155,7 +167,7 @@ double slip_ratio(double hub_mps, double rim_mps) {
 
 TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
                        const PerWheel<WheelDefinition>& wheels,
-                       const PerWheel<WheelTorques>& torques, const Soil& soil,
+                       const PerWheel<WheelTorques>& torques, const SoilMap& soil,
                        const ChassisMass& mass, const ChassisState& chassis,
                        const Eigen::Vector3d& v_W, const Eigen::Vector3d& omega_W, double dt_s,
                        PerWheel<WheelState>& states) {
@@ -163,6 +175,8 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
       v_W, omega_W, 1.0 / mass.mass_kg,
       chassis.R_WB * mass.inertia_kg_m2.cwiseInverse().asDiagonal() * chassis.R_WB.transpose()};
   PerWheel<WheelRows> rows;
+  PerWheel<Traction> tractions;
+  PerWheel<double> lateral_gammas{};
   for (std::size_t i = 0; i < kWheels; ++i) {
     const WheelContact& contact = contacts[i];
     const WheelDefinition& wheel = wheels[i];
@@ -172,7 +186,16 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
     row.axle = contact.axle;
     row.brake_angular = -(motion.inverse_inertia_W * contact.axle);
     row.spin_free = states[i].spin_rad_per_s + dt_s * torques[i].drive_nm / wheel.inertia_kg_m2;
-    const double rolling_nm = soil.rolling_resistance * contact.load_n * wheel.radius_m;
+    const Soil& under = soil_at(soil, (chassis.p_WC + contact.hub_arm).head<2>());
+    lateral_gammas[i] = under.lateral_gamma_rad;
+    if (contact.load_n > 0.0) {
+      tractions[i] = traction_on(under, wheel.tyre, contact.load_n, contact.deflection_m);
+    }
+    const Traction& traction = tractions[i];
+    const double rolling_nm = traction.tyre_resistance * contact.load_n * wheel.radius_m;
+    const double slip = std::min(1.0, std::abs(states[i].bristle_x_m) / kRelaxationLength_m);
+    row.soil_limit = dt_s * contact.load_n *
+                     (traction.soil_resistance + traction.soil_resistance_per_slip * slip);
     const double coulomb_nm = rolling_nm + torques[i].brake_max_nm;
     row.coulomb_limit = dt_s * coulomb_nm;
     row.brake_share = coulomb_nm > 0.0 ? torques[i].brake_max_nm / coulomb_nm : 0.0;
@@ -192,13 +215,15 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
   for (int iteration = 0; iteration < kTyreIterations; ++iteration) {
     for (std::size_t i = 0; i < kWheels; ++i) {
       WheelRows& row = rows[i];
-      const Bristle bristle = linearise(soil, contacts[i].load_n, row.z_x_new, row.z_y_new);
+      const Bristle bristle =
+          linearise(tractions[i], lateral_gammas[i], contacts[i].load_n, row.z_x_new, row.z_y_new);
       const double relax = relaxation(row, dt_s);
-      const double limit = dt_s * soil.friction * contacts[i].load_n;
+      const double limit = dt_s * tractions[i].full_pull * contacts[i].load_n;
       solve_along(row, motion, wheels[i], states[i], bristle.stiffness_x, limit, relax, dt_s);
       const double left_over =
           std::sqrt(std::max(0.0, limit * limit - row.x.impulse * row.x.impulse));
       solve_across(row, motion, states[i], bristle.stiffness_y, left_over, relax, dt_s);
+      if (row.soil_limit > 0.0) solve_soil(row, motion);
     }
   }
 
@@ -220,8 +245,9 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
     result.across_n[i] = row.y.impulse / dt_s;
     result.brake_nm[i] = row.brake_share * row.coulomb_impulse / dt_s;
     result.rolling_nm[i] = row.coulomb_impulse / dt_s - result.brake_nm[i];
+    result.soil_n[i] = row.soil_impulse / dt_s;
     result.slip[i] = slip_ratio(row.x.velocity(motion), wheels[i].radius_m * state.spin_rad_per_s);
-    const Eigen::Vector3d along = result.along_n[i] * row.x.direction;
+    const Eigen::Vector3d along = (result.along_n[i] + result.soil_n[i]) * row.x.direction;
     const Eigen::Vector3d across = result.across_n[i] * row.y.direction;
     result.force_W += along + across;
     result.torque_W +=

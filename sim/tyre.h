@@ -3,7 +3,7 @@
 
 #include "sim/chassis.h"
 #include "sim/wheel.h"
-#include "terrains/soil.h"
+#include "terrains/soil_map.h"
 
 namespace headland {
 
@@ -22,22 +22,25 @@ struct WheelTorques {
 struct TyreResult {
   PerWheel<double> along_n{};  // on the chassis, along and across the wheel
   PerWheel<double> across_n{};
-  PerWheel<double> brake_nm{};                        // on the wheel, signed
-  PerWheel<double> rolling_nm{};                      // on the wheel, signed
-  PerWheel<double> slip{};                            // 0..1, driving or braking
+  PerWheel<double> soil_n{};      // soil's resistance on the hub, along the wheel, signed
+  PerWheel<double> brake_nm{};    // on the wheel, signed
+  PerWheel<double> rolling_nm{};  // on the wheel, signed
+  PerWheel<double> slip{};        // 0..1, driving or braking
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();  // all on the chassis, besides normal forces
   Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();
 };
 
 // Wheel spin and both tyre forces of all wheels, solved implicitly together over one step, with
 // `v_W` and `omega_W` the chassis velocities predicted with everything but tyres and brakes.
-// Longitudinal and lateral bristles of relaxation length kRelaxationLength_m, saturated together:
-//   F = N mu (1 - exp(-|u|)) u / |u|,  u = (c_x z_x, c_y z_y) / relaxation length,
-// whose steady state is N mu (1 - exp(-c_x s)) in slip and N mu (1 - exp(-|a| / gamma)) in slip
-// angle (Crolla). Advances `states`.
+// Longitudinal and lateral bristles of relaxation length kRelaxationLength_m, saturated together
+// by the soil's law (terrains/traction.h):
+//   F = N gross_pull(|u|) u / |u|,  u = (slip_stiffness z_x, z_y / gamma) / relaxation length,
+// whose steady state is the law itself in slip and, across, in slip angle over gamma (Crolla). The
+// tyre's own resistance is a Coulomb torque on the wheel, the soil's a Coulomb force on the hub.
+// Advances `states`.
 TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
                        const PerWheel<WheelDefinition>& wheels,
-                       const PerWheel<WheelTorques>& torques, const Soil& soil,
+                       const PerWheel<WheelTorques>& torques, const SoilMap& soil,
                        const ChassisMass& mass, const ChassisState& chassis,
                        const Eigen::Vector3d& v_W, const Eigen::Vector3d& omega_W, double dt_s,
                        PerWheel<WheelState>& states);

@@ -6,6 +6,7 @@
 
 #include "sim/chassis.h"
 #include "terrains/heightfield.h"
+#include "terrains/traction.h"
 #include "vehicle_models/vehicle.h"
 
 namespace headland {
@@ -20,6 +21,7 @@ struct WheelDefinition {
   Eigen::Vector3d hub_C = Eigen::Vector3d::Zero();
   double radius_m = 0.0;       // rolling radius: lever of the tyre force
   double free_radius_m = 0.0;  // unloaded: radius plus the static deflection
+  TyreSize tyre;
   double inertia_kg_m2 = 0.0;
   double stiffness_n_per_m = 0.0;
   double damping_n_s_per_m = 0.0;

@@ -1,27 +1,51 @@
 #include "terrains/soil.h"
 
-#include <array>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
 
 namespace headland {
 namespace {
 
-// The three field soils are ASABE D497 (Brixius) reduced to constants for a typical drive wheel:
-// b/d = 1/6, deflection 0.2 of the section height, load W/(b d) = 30 kPa, so Bn = CI / 22.5 kPa.
-//   Crr = 1/Bn + 0.04; mu = max over slip of gross traction less 0.5 s / sqrt(Bn);
-//   slip stiffness = 7.5 * 0.88 (1 - exp(-0.1 Bn)) / mu.
-constexpr std::array kSoils{
-    Soil{"concrete", 1.0, 0.02, 19.0, 0.09,
-         "dry pavement: Pacejka D = 1 and B C D = 19 (MAVS); Crr 0.015-0.02 assumed"},
-    Soil{"firm", 0.865, 0.059, 7.6, 0.09,
-         "ASABE D497 (Brixius), cone index 1200 kPa, Bn 53.3 at 30 kPa wheel load"},
-    Soil{"tilled", 0.847, 0.065, 7.7, 0.09,
-         "ASABE D497 (Brixius), cone index 900 kPa, Bn 40 at 30 kPa wheel load"},
-    Soil{"soft", 0.727, 0.09, 7.9, 0.09,
-         "ASABE D497 (Brixius), cone index 450 kPa, Bn 20 at 30 kPa wheel load"},
-};
+std::string text_of(const BrixiusSoil& soil) {
+  return fmt::format("Brixius, cone index {:g} kPa", soil.cone_index_kpa);
+}
+
+std::string text_of(const Pavement& pavement) {
+  return fmt::format("Pacejka, B {:g}, C {:g}, D {:g}, E {:g}, rolling resistance {:g}", pavement.b,
+                     pavement.c, pavement.d, pavement.e, pavement.rolling_resistance);
+}
+
+std::string text_of(const ConstantGround& ground) {
+  return fmt::format("constant, friction {:g}, rolling resistance {:g}, slip stiffness {:g}",
+                     ground.friction, ground.rolling_resistance, ground.slip_stiffness);
+}
 
 }  // namespace
 
-std::span<const Soil> soils() { return kSoils; }
+std::span<const Soil> soils() {
+  static const std::vector<Soil> known{
+      {"concrete", Pavement{10.0, 1.9, 1.0, 0.97, 0.0175}, 0.09,
+       "dry pavement: Pacejka B C D E 10, 1.9, 1, 0.97 (MAVS); Crr 0.015-0.02 assumed"},
+      {"concrete_wet", Pavement{12.0, 2.3, 0.82, 1.0, 0.0175}, 0.09,
+       "wet pavement: Pacejka B C D E 12, 2.3, 0.82, 1 (MAVS); Crr 0.015-0.02 assumed"},
+      {"firm", BrixiusSoil{1200.0}, 0.09, "ASABE D497 (Brixius), cone index 1200 kPa"},
+      {"tilled", BrixiusSoil{900.0}, 0.09, "ASABE D497 (Brixius), cone index 900 kPa"},
+      {"soft", BrixiusSoil{450.0}, 0.09,
+       "ASABE D497 (Brixius), soft or sandy soil, cone index 450 kPa"},
+  };
+  return known;
+}
+
+const Soil* find_soil(std::string_view name) {
+  const auto known = soils();
+  const auto found = std::ranges::find(known, name, &Soil::name);
+  return found == known.end() ? nullptr : &*found;
+}
+
+std::string law_text(const Soil& soil) {
+  return std::visit([](const auto& law) { return text_of(law); }, soil.law);
+}
 
 }  // namespace headland

@@ -1,23 +1,48 @@
-// Soils as data: what the tyres can pull on and what rolling costs.
+// Soils as data: what the tyres can pull on and what rolling costs. The laws are in traction.h.
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <variant>
 
 namespace headland {
 
-// Constant-coefficient ground: Coulomb limit mu N and rolling resistance Crr N, reached over the
-// slip below. `source` says where the numbers come from.
-struct Soil {
-  std::string_view name;
-  double friction = 0.6;             // mu, peak traction over wheel load, any direction
-  double rolling_resistance = 0.05;  // Crr, over wheel load
-  double slip_stiffness = 8.0;       // initial slope of traction over N mu against slip ratio
-  double lateral_gamma_rad = 0.09;   // slip angle scale of the lateral force (Crolla)
-  std::string_view source;
+// Agricultural soil by its cone index: Brixius, as in ASABE D497.
+struct BrixiusSoil {
+  double cone_index_kpa = 1200.0;
 };
 
-// Every soil the program knows, in the order `headland list soils` prints them.
+// Pavement by Pacejka's magic formula, coefficients over the wheel load, and rolling resistance.
+struct Pavement {
+  double b = 10.0;
+  double c = 1.9;
+  double d = 1.0;
+  double e = 0.97;
+  double rolling_resistance = 0.0175;
+};
+
+// The same for every wheel: traction mu N (1 - exp(-slip_stiffness s)), rolling resistance Crr N.
+struct ConstantGround {
+  double friction = 0.6;             // mu, 0..2
+  double rolling_resistance = 0.05;  // Crr, 0..1
+  double slip_stiffness = 8.0;       // per unit of slip
+};
+
+struct Soil {
+  std::string name;
+  std::variant<BrixiusSoil, Pavement, ConstantGround> law;
+  double lateral_gamma_rad = 0.09;  // slip angle scale of the lateral force (Crolla)
+  std::string source;               // of the numbers
+};
+
+// Every soil the program knows, in the order `headland list soils` prints them: hardest first.
 std::span<const Soil> soils();
+
+// The known soil of that name, or null.
+const Soil* find_soil(std::string_view name);
+
+// The law with its numbers in words: "Brixius, cone index 1200 kPa".
+std::string law_text(const Soil& soil);
 
 }  // namespace headland

@@ -84,7 +84,7 @@ TEST(Ledger, ClimbCostsWeightTimesSlopeAndTheRestIsSlip) {
 TEST(Ledger, RearDriveSlipsToPushTheFrontWheels) {
   Vehicle vehicle = lossless("transplanter");
   vehicle.front.driven = false;
-  const Soil soil = test::textbook_soil();
+  const SoilMap soil = test::textbook_soil();
   const RunRecord run = test::run(test::straight(150.0), vehicle, test::plane(0.0, 0.0), soil);
   const Stretch stretch = middle_of(run);
   const double weight_n = total_mass_kg(vehicle) * kGravity_mps2;

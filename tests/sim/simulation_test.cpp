@@ -99,7 +99,7 @@ TEST(Simulation, TipsOverAtThePredictedSideSlope) {
   vehicle.rear.vertical_stiffness_n_per_m = 5e6;
   vehicle.front.vertical_damping_n_s_per_m = vehicle.rear.vertical_damping_n_s_per_m = 2e4;
   const double tip_rad = std::atan2(0.5 * vehicle.rear.track_m, chassis_mass(vehicle).com_B.z());
-  const Soil soil = test::textbook_soil(3.0, 0.02);
+  const SoilMap soil = test::textbook_soil(3.0, 0.02);
   constexpr double kStep_s = 1.0 / 2000.0;  // stiff tyres want a short step
   // Upper wheels' share of the load over cos(slope): linear in tan(slope).
   const auto upper_load = [&](double slope_rad) {
@@ -203,7 +203,7 @@ TEST(Simulation, TimesOutAndCanBeInterrupted) {
             Outcome::kTimedOut);
   const Vehicle vehicle = transplanter();
   const Heightfield terrain = test::plane(0.0, 0.0);
-  const Soil soil = test::textbook_soil();
+  const SoilMap soil = test::textbook_soil();
   const Field field = test::open_field();
   const Path path = test::straight(60.0);
   const RunRecord run =
@@ -218,7 +218,7 @@ TEST(Simulation, TimesOutAndCanBeInterrupted) {
 TEST(Simulation, CoastsDownByTheRollingResistance) {
   const Vehicle vehicle = transplanter();
   const Heightfield terrain = test::plane(0.0, 0.0);
-  const Soil soil = test::textbook_soil(0.8, 0.05);
+  const SoilMap soil = test::textbook_soil(0.8, 0.05);
   const Machine machine = make_machine(vehicle, terrain, soil);
   BulletWorld world(test::open_field(), terrain, vehicle);
   MachineState state;
@@ -245,7 +245,7 @@ TEST(Simulation, SameSetupSameRecordAlsoInTwoThreads) {
   const Vehicle vehicle = transplanter();
   const Path path = test::rows_with_omega_turns(2, 20.0, 2.0, planning_turning_radius_m(vehicle));
   const Heightfield terrain = test::hills(0.5, 20.0);
-  const Soil soil = test::textbook_soil();
+  const SoilMap soil = test::textbook_soil();
   const RunRecord alone = test::run(path, vehicle, terrain, soil);
   EXPECT_TRUE(same(alone, test::run(path, vehicle, terrain, soil)));
   RunRecord first;

@@ -9,7 +9,7 @@
 #include "sim/simulation.h"
 #include "terrains/field.h"
 #include "terrains/heightfield.h"
-#include "terrains/soil.h"
+#include "terrains/soil_map.h"
 #include "vehicle_models/vehicle_loader.h"
 
 namespace headland::test {
@@ -142,13 +142,8 @@ inline double cause_j(const EnergyBalance& energy, EnergyCause cause) {
 }
 
 // Ground on which a textbook formula is exact: enough grip, known rolling resistance.
-inline Soil textbook_soil(double friction = 0.8, double rolling_resistance = 0.05) {
-  Soil soil;
-  soil.name = "textbook";
-  soil.friction = friction;
-  soil.rolling_resistance = rolling_resistance;
-  soil.slip_stiffness = 10.0;
-  return soil;
+inline SoilMap textbook_soil(double friction = 0.8, double rolling_resistance = 0.05) {
+  return uniform_soil({"textbook", ConstantGround{friction, rolling_resistance, 10.0}, 0.09, ""});
 }
 
 // Rows of the vehicle's working width with the tightest turns that it can plan.
@@ -159,8 +154,10 @@ inline Path rows_for(const Vehicle& vehicle, int rows, double length_m) {
                                std::max(planning_turning_radius_m(vehicle), width_m / 1.9));
 }
 
+inline SoilMap soil_named(std::string_view name) { return uniform_soil(*find_soil(name)); }
+
 inline RunRecord run(const Path& path, const Vehicle& vehicle, const Heightfield& terrain,
-                     const Soil& soil, SimulationOptions options = {},
+                     const SoilMap& soil, SimulationOptions options = {},
                      const Field& field = open_field()) {
   return simulate({field, terrain, soil, vehicle, path, options, {}});
 }

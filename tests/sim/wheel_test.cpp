@@ -15,7 +15,7 @@ constexpr double kRounding = 1e-9;
 TEST(Wheels, StaticLoadsCarryTheWeightByTheLeverRule) {
   const Vehicle vehicle = load_vehicle("utility_tractor");
   const Heightfield terrain = test::plane(0.0, 0.0);
-  const Soil soil = test::textbook_soil();
+  const SoilMap soil = test::textbook_soil();
   const Machine machine = make_machine(vehicle, terrain, soil);
   const ChassisState chassis = place_on_ground(machine, {0.0, 0.0}, 0.3);
   const auto contacts = touch_ground(terrain, chassis, machine.wheels, 0.0, wheelbase_m(vehicle));
@@ -32,7 +32,7 @@ TEST(Wheels, StaticLoadsCarryTheWeightByTheLeverRule) {
 TEST(Wheels, NormalForceHasNoMomentAboutTheHub) {
   const Vehicle vehicle = load_vehicle("transplanter");
   const Heightfield terrain = test::plane(0.25, -0.15);
-  const Soil soil = test::textbook_soil();
+  const SoilMap soil = test::textbook_soil();
   const Machine machine = make_machine(vehicle, terrain, soil);
   const ChassisState chassis = place_on_ground(machine, {3.0, 4.0}, 0.7);
   for (const WheelContact& contact :
@@ -49,9 +49,7 @@ TEST(Wheels, NormalForceHasNoMomentAboutTheHub) {
 TEST(Wheels, NormalForcesGiveNoPropulsionUphill) {
   const Vehicle vehicle = load_vehicle("transplanter");
   const Heightfield terrain = test::plane(0.1, 0.0);
-  Soil ice;
-  ice.friction = 0.0;
-  ice.rolling_resistance = 0.0;
+  const SoilMap ice = test::textbook_soil(0.0, 0.0);
   const Machine machine = make_machine(vehicle, terrain, ice);
   BulletWorld world(test::open_field(), terrain, vehicle);
   world.set_state(place_on_ground(machine, {0.0, 0.0}, 0.0));
@@ -90,7 +88,7 @@ TEST(Wheels, PivotedAxleSharesItsLoadEquallyUpToItsStop) {
       terrain.height_m[static_cast<std::size_t>(j * terrain.columns + i)] = 0.01 * x * y;
     }
   }
-  const Soil soil = test::textbook_soil();
+  const SoilMap soil = test::textbook_soil();
   const auto loads = [&](double oscillation_rad) {
     vehicle.front.oscillation_max_rad = oscillation_rad;
     const Machine machine = make_machine(vehicle, terrain, soil);
@@ -109,7 +107,6 @@ TEST(Wheels, PivotedAxleSharesItsLoadEquallyUpToItsStop) {
   EXPECT_LT(std::abs(stopped_left - stopped_right), std::abs(rigid_left - rigid_right));
 }
 
-// Steady pull on a braked vehicle: the tyre law's own curve comes out of the implicit solver.
 
 }  // namespace
 }  // namespace headland
