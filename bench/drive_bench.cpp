@@ -43,7 +43,7 @@ void add_speed(std::vector<bench::Figure>& figures) {
     coasting.wheel_torque_nm = 200.0;
     start = std::chrono::steady_clock::now();
     for (int i = 0; i < kSteps; ++i) {
-      step_machine(machine, coasting, 0.3, 0.0, 1.0 / kRate_hz, rolling, state);
+      step_machine(machine, coasting, {0.3, 0.0}, 0.0, 1.0 / kRate_hz, rolling, state);
     }
     step_us.push_back(1e6 * bench::seconds_since(start) / kSteps);
 

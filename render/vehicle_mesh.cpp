@@ -119,29 +119,13 @@ Mesh wheel_mesh(const Axle& axle) {
   return wheel;
 }
 
-double wheel_steer_rad(const Vehicle& vehicle, const Axle& axle, double steer_rad, bool front,
-                       bool left) {
-  const double half_track_m = 0.5 * axle.track_m;
-  switch (vehicle.steering.kind) {
-    case SteeringKind::kFront:
-      return front ? ackermann_rad(steer_rad, wheelbase_m(vehicle), half_track_m, left) : 0.0;
-    case SteeringKind::kFourWheel:
-      return (front ? 1.0 : -1.0) *
-             ackermann_rad(steer_rad, 0.5 * wheelbase_m(vehicle), half_track_m, left);
-    case SteeringKind::kSkid:
-      break;
-  }
-  return 0.0;
-}
-
 void append_wheels(Mesh& mesh, const Vehicle& vehicle, const RunSample& sample) {
   for (std::size_t i = 0; i < sample.wheel_angle_rad.size(); ++i) {
-    const bool front = i >= 2;
-    const Axle& axle = front ? vehicle.front : vehicle.rear;
+    const Axle& axle = i >= 2 ? vehicle.front : vehicle.rear;
     if (!(axle.radius_m > 0.0)) continue;
-    const bool left = i % 2 == 0;
-    const double left_m = (left ? 0.5 : -0.5) * axle.track_m;
-    const double steer = wheel_steer_rad(vehicle, axle, sample.steer_rad, front, left);
+    const double left_m = (i % 2 == 0 ? 0.5 : -0.5) * axle.track_m;
+    const double steer =
+        wheel_angle_rad(curvature_of(vehicle, sample.steer_rad), {axle.x_B_m, left_m});
     const Eigen::Isometry3d X = moved({axle.x_B_m, left_m, axle.radius_m}) *
                                 Eigen::AngleAxisd(steer, Point::UnitZ()) *
                                 Eigen::AngleAxisd(sample.wheel_angle_rad[i], Point::UnitY());

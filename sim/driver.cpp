@@ -49,7 +49,7 @@ void enter_next_run(const Route& route, DriverState& state) {
 // Speed at which the bend being steered, with the side slope's pull where it adds to it, stays
 // within the driver's lateral acceleration.
 double bend_speed_mps(const Vehicle& vehicle, const DriverView& view, double steer_rad) {
-  const double bend_per_m = std::tan(steer_rad) / wheelbase_m(vehicle);
+  const double bend_per_m = curvature_of(vehicle, steer_rad);
   if (bend_per_m == 0.0) return vehicle.driver.transit_speed_mps;
   const double most_mps2 = vehicle.driver.max_lateral_acceleration_mps2;
   const double pull_mps2 = kGravity_mps2 * std::sin(std::copysign(1.0, bend_per_m) * view.roll_rad);

@@ -23,6 +23,7 @@ struct DriverState {
 
 struct DriverCommand {
   double wheel_torque_nm = 0.0;  // all driven wheels together
+  double yaw_torque_nm = 0.0;    // couple about z, of a vehicle that steers by its wheels' speeds
   bool hold = false;             // brakes set
   int segment = 0;               // of the path, where the vehicle is
   bool working = false;          // implement fully down on a working segment

@@ -42,46 +42,98 @@ MotorTorque limit_motor(const Motor& motor, double wanted_nm, double speed_rad_p
   return {torque_nm, torque_nm != wanted_nm};
 }
 
-DrivetrainCommand command_drive(const Vehicle& vehicle, const PerWheel<WheelDefinition>& wheels,
-                                const PerWheel<WheelContact>& contacts, double wanted_nm,
-                                double motor_speed_rad_per_s, double speed_mps, double available_w,
-                                double acceptable_w, bool hold) {
+MotorLayout motor_layout(const Vehicle& vehicle) {
+  MotorLayout layout;
+  const bool per_wheel = vehicle.drivetrain.motor_per_wheel;
+  for (int i = 0; i < kWheels; ++i) {
+    const bool driven = (i < 2 ? vehicle.rear : vehicle.front).driven;
+    layout.motor_of[static_cast<std::size_t>(i)] = !driven ? -1 : per_wheel ? layout.motors++ : 0;
+  }
+  if (!per_wheel) layout.motors = 1;
+  return layout;
+}
+
+PerMotor<double> motor_speeds(const MotorLayout& layout, const PerWheel<double>& relative_spin,
+                              double gear_ratio) {
+  PerMotor<double> speed_rad_per_s{};
+  PerMotor<int> wheels{};
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    if (layout.motor_of[i] < 0) continue;
+    const auto m = static_cast<std::size_t>(layout.motor_of[i]);
+    speed_rad_per_s[m] += gear_ratio * relative_spin[i];
+    ++wheels[m];
+  }
+  for (std::size_t m = 0; m < kWheels; ++m) {
+    if (wheels[m] > 0) speed_rad_per_s[m] /= wheels[m];
+  }
+  return speed_rad_per_s;
+}
+
+PerMotor<double> split_torque(const Vehicle& vehicle, const MotorLayout& layout, double total_nm,
+                              double yaw_torque_nm) {
+  PerMotor<double> torque_nm{};
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    if (layout.motor_of[i] < 0) continue;
+    double& share_nm = torque_nm[static_cast<std::size_t>(layout.motor_of[i])];
+    if (!vehicle.drivetrain.motor_per_wheel) {
+      share_nm = total_nm;
+      continue;
+    }
+    const Axle& axle = i < 2 ? vehicle.rear : vehicle.front;
+    const double side = i % 2 == 0 ? -1.0 : 1.0;
+    share_nm =
+        (total_nm + side * yaw_torque_nm * axle.radius_m / (0.5 * axle.track_m)) / layout.motors;
+  }
+  return torque_nm;
+}
+
+DrivetrainCommand command_drive(const Vehicle& vehicle, const MotorLayout& layout,
+                                const PerWheel<WheelContact>& contacts,
+                                const DriveRequest& request) {
   const Drivetrain& drivetrain = vehicle.drivetrain;
   DrivetrainCommand command;
-  double brake_nm = hold ? drivetrain.brake_torque_max_nm : 0.0;
-  if (!hold) {
-    const bool braking = wanted_nm * speed_mps < 0.0;
-    double to_motor_nm = wanted_nm;
-    if (braking) {
-      const bool regenerates = std::abs(speed_mps) >= vehicle.motor.regeneration_min_speed_mps;
-      to_motor_nm *= regenerates ? vehicle.motor.regeneration_fraction : 0.0;
-    }
-    const double through_gear = to_motor_nm * motor_speed_rad_per_s >= 0.0
-                                    ? drivetrain.efficiency
-                                    : 1.0 / drivetrain.efficiency;
-    const MotorTorque motor =
-        limit_motor(vehicle.motor, to_motor_nm / (drivetrain.gear_ratio * through_gear),
-                    motor_speed_rad_per_s, available_w, acceptable_w);
-    command.motor_nm = motor.torque_nm;
-    const double driven_nm = motor.torque_nm * drivetrain.gear_ratio * through_gear;
-    if (braking) {
-      brake_nm = std::min(std::abs(wanted_nm - driven_nm), drivetrain.brake_torque_max_nm);
-    } else {
-      command.clipped = motor.clipped;
-    }
-    const auto driven_wheels = std::count_if(
-        wheels.begin(), wheels.end(), [](const WheelDefinition& wheel) { return wheel.driven; });
-    for (std::size_t i = 0; i < kWheels; ++i) {
-      if (wheels[i].driven) {
-        command.wheels[i].drive_nm = driven_nm / static_cast<double>(driven_wheels);
-      }
-    }
-  }
   double load_n = 0.0;
   for (const WheelContact& contact : contacts) load_n += contact.load_n;
-  for (std::size_t i = 0; i < kWheels; ++i) {
-    command.wheels[i].brake_max_nm =
-        load_n > 0.0 ? brake_nm * contacts[i].load_n / load_n : brake_nm / kWheels;
+  const auto brake_all = [&](double brake_nm) {
+    for (std::size_t i = 0; i < kWheels; ++i) {
+      command.wheels[i].brake_max_nm +=
+          load_n > 0.0 ? brake_nm * contacts[i].load_n / load_n : brake_nm / kWheels;
+    }
+  };
+  if (request.hold) {
+    brake_all(drivetrain.brake_torque_max_nm);
+    return command;
+  }
+  for (int m = 0; m < layout.motors; ++m) {
+    const auto motor_index = static_cast<std::size_t>(m);
+    const double wanted_nm = request.wheel_torque_nm[motor_index];
+    const double speed_rad_per_s = request.motor_speed_rad_per_s[motor_index];
+    const bool braking =
+        wanted_nm * (drivetrain.motor_per_wheel ? speed_rad_per_s : request.speed_mps) < 0.0;
+    double to_motor_nm = wanted_nm;
+    if (braking) {
+      const bool regenerates =
+          std::abs(request.speed_mps) >= vehicle.motor.regeneration_min_speed_mps;
+      to_motor_nm *= regenerates ? vehicle.motor.regeneration_fraction : 0.0;
+    }
+    const double through_gear =
+        to_motor_nm * speed_rad_per_s >= 0.0 ? drivetrain.efficiency : 1.0 / drivetrain.efficiency;
+    const MotorTorque motor = limit_motor(
+        vehicle.motor, to_motor_nm / (drivetrain.gear_ratio * through_gear), speed_rad_per_s,
+        request.available_w / layout.motors, request.acceptable_w / layout.motors);
+    command.motor_nm[motor_index] = motor.torque_nm;
+    const double driven_nm = motor.torque_nm * drivetrain.gear_ratio * through_gear;
+    if (!braking) command.clipped = command.clipped || motor.clipped;
+    const double brake_nm = braking ? std::min(std::abs(wanted_nm - driven_nm),
+                                               drivetrain.brake_torque_max_nm / layout.motors)
+                                    : 0.0;
+    const auto wheels = std::count(layout.motor_of.begin(), layout.motor_of.end(), m);
+    for (std::size_t i = 0; i < kWheels; ++i) {
+      if (layout.motor_of[i] != m) continue;
+      command.wheels[i].drive_nm = driven_nm / static_cast<double>(wheels);
+      if (drivetrain.motor_per_wheel) command.wheels[i].brake_max_nm = brake_nm;
+    }
+    if (!drivetrain.motor_per_wheel) brake_all(brake_nm);
   }
   return command;
 }

@@ -20,20 +20,47 @@ double motor_loss_w(const Motor& motor, double torque_nm, double speed_rad_per_s
 MotorTorque limit_motor(const Motor& motor, double wanted_nm, double speed_rad_per_s,
                         double available_w, double acceptable_w);
 
-// What one step asks of the wheels.
+// Which motor turns which wheels. One motor turns all driven wheels through open differentials,
+// each with the same torque; a motor at each wheel turns that one.
+struct MotorLayout {
+  int motors = 0;
+  PerWheel<int> motor_of{};  // -1: not driven
+};
+MotorLayout motor_layout(const Vehicle& vehicle);
+
+template <typename T>
+using PerMotor = std::array<T, kWheels>;
+
+// Motor speeds [rad/s] for wheel spins relative to the chassis: the mean of each motor's wheels.
+PerMotor<double> motor_speeds(const MotorLayout& layout, const PerWheel<double>& relative_spin,
+                              double gear_ratio);
+
+// What the driver asks and what bounds it.
+struct DriveRequest {
+  PerMotor<double> wheel_torque_nm{};  // of each motor's wheels together
+  bool hold = false;                   // brakes set fully
+  double speed_mps = 0.0;              // of the vehicle along x
+  PerMotor<double> motor_speed_rad_per_s{};
+  double available_w = 0.0;   // electrical, all motors together, >= 0
+  double acceptable_w = 0.0;  // likewise, charging
+};
+
+// Wheel torque [N m] of each motor for a force along the vehicle and a couple about its z axis,
+// which only a vehicle with motors on both sides can give.
+PerMotor<double> split_torque(const Vehicle& vehicle, const MotorLayout& layout, double total_nm,
+                              double yaw_torque_nm);
+
+// What one step does to motors and wheels.
 struct DrivetrainCommand {
-  double motor_nm = 0.0;  // on the motor shaft, forward positive
+  PerMotor<double> motor_nm{};  // on the motor shafts, forward positive
   PerWheel<WheelTorques> wheels;
   bool clipped = false;
 };
 
-// Splits a wanted wheel torque (all driven wheels together) into motor and friction brake. Open
-// differentials: every driven wheel gets the same torque. Braking goes to the motor up to its
-// regeneration fraction above the least speed for it, the rest to the brakes of all wheels in
-// proportion to their load. `hold` sets the brakes fully.
-DrivetrainCommand command_drive(const Vehicle& vehicle, const PerWheel<WheelDefinition>& wheels,
-                                const PerWheel<WheelContact>& contacts, double wanted_nm,
-                                double motor_speed_rad_per_s, double speed_mps, double available_w,
-                                double acceptable_w, bool hold);
+// Braking goes to a motor up to its regeneration fraction above the least speed for it, the rest
+// to brakes: of all wheels in proportion to their load, or of the motor's own wheel.
+DrivetrainCommand command_drive(const Vehicle& vehicle, const MotorLayout& layout,
+                                const PerWheel<WheelContact>& contacts,
+                                const DriveRequest& request);
 
 }  // namespace headland

@@ -33,13 +33,13 @@ StepLosses step_losses(const StepWork& work) {
   const Eigen::Vector3d omega_mid = 0.5 * (work.before.omega_W + work.after.omega_W);
   StepLosses losses;
   auto& cause_w = losses.cause_w;
-  double driven_spin = 0.0;
-  int driven = 0;
+  PerWheel<double> relative_spin{};
   double wheel_power_w = 0.0;
   for (std::size_t i = 0; i < kWheels; ++i) {
     const WheelContact& contact = work.contacts[i];
     const double spin_mid = 0.5 * (work.spin_before[i] + work.states[i].spin_rad_per_s);
     const double relative = spin_mid - omega_mid.dot(contact.axle);
+    relative_spin[i] = relative;
     const double along_mps = contact.along.dot(point_velocity(v_mid, omega_mid, contact.hub_arm));
     const double across_mps =
         contact.across.dot(point_velocity(v_mid, omega_mid, contact.lateral_arm));
@@ -52,14 +52,12 @@ StepLosses step_losses(const StepWork& work) {
         work.tyres.rolling_nm[i] * spin_mid + work.tyres.soil_n[i] * along_mps;
     of(cause_w, EnergyCause::kBrake) -= work.tyres.brake_nm[i] * relative;
     of(cause_w, EnergyCause::kSuspension) -= contact.damping_n * normal_mps;
-    if (work.wheels[i].driven) {
-      driven_spin += relative;
-      ++driven;
-      wheel_power_w += work.torques[i].drive_nm * relative;
-    }
+    wheel_power_w += work.torques[i].drive_nm * relative;
   }
-  losses.motor_speed_rad_per_s = driven > 0 ? work.gear_ratio * driven_spin / driven : 0.0;
-  losses.motor_shaft_w = work.motor_nm * losses.motor_speed_rad_per_s;
+  losses.motor_speed_rad_per_s = motor_speeds(work.layout, relative_spin, work.gear_ratio);
+  for (std::size_t m = 0; m < kWheels; ++m) {
+    losses.motor_shaft_w += work.motor_nm[m] * losses.motor_speed_rad_per_s[m];
+  }
   of(cause_w, EnergyCause::kDrivetrain) = losses.motor_shaft_w - wheel_power_w;
   of(cause_w, EnergyCause::kDraft) =
       -work.draft_W.dot(point_velocity(v_mid, omega_mid, work.draft_arm));

@@ -3,6 +3,7 @@
 
 #include "sim/battery.h"
 #include "sim/chassis.h"
+#include "sim/drivetrain.h"
 #include "sim/run_record.h"
 #include "sim/tyre.h"
 
@@ -31,7 +32,8 @@ struct StepWork {
   const PerWheel<double>& spin_before;
   const PerWheel<WheelState>& states;  // after
   const TyreResult& tyres;
-  double motor_nm = 0.0;
+  const MotorLayout& layout;
+  const PerMotor<double>& motor_nm;
   double gear_ratio = 1.0;
   Eigen::Vector3d draft_W = Eigen::Vector3d::Zero();
   Eigen::Vector3d draft_arm = Eigen::Vector3d::Zero();
@@ -39,11 +41,11 @@ struct StepWork {
 
 // Losses [W] of a step but for the battery's, by cause, each force taken at the mid-step velocity
 // (v_n + v_n+1) / 2, at which its work is exactly the change of kinetic energy; and the mid-step
-// motor speed. Grade, kinetic and stored stay zero here: they come from StoredEnergy.
+// motor speeds. Grade, kinetic and stored stay zero here: they come from StoredEnergy.
 struct StepLosses {
   std::array<double, kEnergyCauses> cause_w{};
-  double motor_speed_rad_per_s = 0.0;
-  double motor_shaft_w = 0.0;
+  PerMotor<double> motor_speed_rad_per_s{};
+  double motor_shaft_w = 0.0;  // all motors
 };
 StepLosses step_losses(const StepWork& work);
 

@@ -8,25 +8,30 @@ namespace {
 
 constexpr double kDraftFullSpeed_mps = 0.1;  // below it draft fades to nothing at standstill
 
-double motor_speed(const Machine& machine, const PerWheel<WheelContact>& contacts,
-                   const PerWheel<WheelState>& states, const Eigen::Vector3d& omega_W) {
-  double sum = 0.0;
-  int driven = 0;
+PerMotor<double> motor_speeds_now(const Machine& machine, const PerWheel<WheelContact>& contacts,
+                                  const PerWheel<WheelState>& states,
+                                  const Eigen::Vector3d& omega_W) {
+  PerWheel<double> relative{};
   for (std::size_t i = 0; i < kWheels; ++i) {
-    if (!machine.wheels[i].driven) continue;
-    sum += states[i].spin_rad_per_s - omega_W.dot(contacts[i].axle);
-    ++driven;
+    relative[i] = states[i].spin_rad_per_s - omega_W.dot(contacts[i].axle);
   }
-  return driven > 0 ? machine.vehicle.drivetrain.gear_ratio * sum / driven : 0.0;
+  return motor_speeds(machine.motors, relative, machine.vehicle.drivetrain.gear_ratio);
 }
 
 // Electrical power [W] of the implement's shaft and of lifting it.
 double implement_power_w(const Implement& implement, const DriverCommand& command) {
-  double power_w = command.working ? implement.shaft_power_w : 0.0;
+  double power_w = command.working ? implement.shaft_power_w / implement.shaft_efficiency : 0.0;
   if (command.lifting && implement.lift_time_s > 0.0) {
     power_w += implement.lift_energy_j / implement.lift_time_s;
   }
   return power_w;
+}
+
+// Electrical power [W] of the steering actuator: in proportion to how fast it turns.
+double steering_power_w(const Steering& steering, double rate_rad_per_s) {
+  if (steering.max_rate_rad_per_s <= 0.0) return 0.0;
+  return steering.actuator_power_w * std::abs(rate_rad_per_s) /
+         (steering.max_rate_rad_per_s * steering.actuator_efficiency);
 }
 
 void charge(EnergyBalance& balance, EnergyCause cause, double energy_j) {
@@ -48,7 +53,7 @@ struct Load {
 
 Machine make_machine(const Vehicle& vehicle, const Heightfield& terrain, const SoilMap& soil) {
   const ChassisMass mass = chassis_mass(vehicle);
-  return {vehicle, terrain, soil, mass, define_wheels(vehicle, mass)};
+  return {vehicle, terrain, soil, mass, define_wheels(vehicle, mass), motor_layout(vehicle)};
 }
 
 ChassisState place_on_ground(const Machine& machine, const Eigen::Vector2d& p_W,
@@ -70,7 +75,10 @@ ChassisState place_on_ground(const Machine& machine, const Eigen::Vector2d& p_W,
   state.R_WB.col(0) = x_axis;
   state.R_WB.col(1) = z_axis.cross(x_axis);
   state.R_WB.col(2) = z_axis;
-  state.p_WC = rear + state.R_WB * machine.mass.com_B;
+  const double rear_x_m = machine.vehicle.rear.x_B_m;
+  const Eigen::Vector3d origin =
+      rear - rear_x_m / (machine.vehicle.front.x_B_m - rear_x_m) * (front - rear);
+  state.p_WC = origin + state.R_WB * machine.mass.com_B;
   // On a slope the tyres carry less than on the flat: stand that much higher, or the body bounces.
   const double c = z_axis.z();
   const double sag_m = machine.wheels[0].free_radius_m - machine.wheels[0].radius_m;
@@ -82,27 +90,34 @@ Eigen::Vector3d origin_of(const ChassisState& chassis, const ChassisMass& mass) 
   return chassis.p_WC - chassis.R_WB * mass.com_B;
 }
 
-StepReport step_machine(const Machine& machine, const DriverCommand& command, double steer_rad,
+StepReport step_machine(const Machine& machine, const DriverCommand& command, Steer steer,
                         double lowered, double dt_s, BulletWorld& world, MachineState& state) {
   const Vehicle& vehicle = machine.vehicle;
   StepReport report;
   report.chassis = world.state();
   const ChassisState& chassis = report.chassis;
-  report.contacts =
-      touch_ground(machine.terrain, chassis, machine.wheels, steer_rad, wheelbase_m(vehicle));
+  report.contacts = touch_ground(machine.terrain, chassis, machine.wheels,
+                                 curvature_of(vehicle, steer.angle_rad));
   report.stored =
       stored_energy(machine.mass, chassis, machine.wheels, state.wheels, report.contacts);
 
   const double implement_w = implement_power_w(vehicle.implement, command);
-  const double other_w = vehicle.battery.auxiliary_power_w + implement_w;
-  const double available_w =
-      std::max(0.0, max_discharge_power_w(vehicle.battery, state.battery) - other_w);
-  const double acceptable_w = max_charge_power_w(vehicle.battery, state.battery) + other_w;
+  const double steering_w = steering_power_w(vehicle.steering, steer.rate_rad_per_s);
+  const double other_w = vehicle.battery.auxiliary_power_w + implement_w + steering_w;
+  const double inverter = vehicle.motor.inverter_efficiency;
   const double speed_mps = chassis.v_W.dot(chassis.R_WB.col(0));
+  DriveRequest request;
+  request.wheel_torque_nm =
+      split_torque(vehicle, machine.motors, command.wheel_torque_nm, command.yaw_torque_nm);
+  request.hold = command.hold;
+  request.speed_mps = speed_mps;
+  request.motor_speed_rad_per_s =
+      motor_speeds_now(machine, report.contacts, state.wheels, chassis.omega_W);
+  request.available_w =
+      inverter * std::max(0.0, max_discharge_power_w(vehicle.battery, state.battery) - other_w);
+  request.acceptable_w = (max_charge_power_w(vehicle.battery, state.battery) + other_w) / inverter;
   const DrivetrainCommand drivetrain =
-      command_drive(vehicle, machine.wheels, report.contacts, command.wheel_torque_nm,
-                    motor_speed(machine, report.contacts, state.wheels, chassis.omega_W), speed_mps,
-                    available_w, acceptable_w, command.hold);
+      command_drive(vehicle, machine.motors, report.contacts, request);
 
   Load load;
   for (std::size_t i = 0; i < kWheels; ++i) {
@@ -136,21 +151,28 @@ StepReport step_machine(const Machine& machine, const DriverCommand& command, do
   const ChassisState after = world.state();
   const StepLosses losses =
       step_losses({chassis, after, machine.wheels, report.contacts, drivetrain.wheels, spin_before,
-                   state.wheels, tyres, drivetrain.motor_nm, vehicle.drivetrain.gear_ratio, draft_W,
-                   draft_arm});
+                   state.wheels, tyres, machine.motors, drivetrain.motor_nm,
+                   vehicle.drivetrain.gear_ratio, draft_W, draft_arm});
   for (std::size_t i = 0; i < kEnergyCauses; ++i) {
     report.energy.cause_j[i] = dt_s * losses.cause_w[i];
   }
-  const double motor_loss =
-      motor_loss_w(vehicle.motor, drivetrain.motor_nm, losses.motor_speed_rad_per_s);
-  report.motor_nm = drivetrain.motor_nm;
-  report.motor_w = losses.motor_shaft_w + motor_loss;
+  double motor_loss = 0.0;
+  for (int m = 0; m < machine.motors.motors; ++m) {
+    const auto i = static_cast<std::size_t>(m);
+    motor_loss +=
+        motor_loss_w(vehicle.motor, drivetrain.motor_nm[i], losses.motor_speed_rad_per_s[i]);
+    report.motor_nm += drivetrain.motor_nm[i];
+  }
+  const double motor_input_w = losses.motor_shaft_w + motor_loss;
+  report.motor_w = motor_input_w > 0.0 ? motor_input_w / inverter : motor_input_w * inverter;
   report.battery_w = report.motor_w + other_w;
   const BatteryFlow flow = draw(vehicle.battery, report.battery_w, dt_s, state.battery);
   report.battery_v = flow.voltage_v;
   report.energy.battery_j = dt_s * flow.chemistry_w;
   charge(report.energy, EnergyCause::kBatteryLoss, dt_s * flow.loss_w);
   charge(report.energy, EnergyCause::kMotor, dt_s * motor_loss);
+  charge(report.energy, EnergyCause::kInverter, dt_s * (report.motor_w - motor_input_w));
+  charge(report.energy, EnergyCause::kSteering, dt_s * steering_w);
   charge(report.energy, EnergyCause::kAuxiliary, dt_s * vehicle.battery.auxiliary_power_w);
   charge(report.energy, EnergyCause::kImplement, dt_s * implement_w);
   report.slip = tyres.slip;

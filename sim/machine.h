@@ -20,6 +20,7 @@ struct Machine {
   const SoilMap& soil;
   ChassisMass mass;
   PerWheel<WheelDefinition> wheels;
+  MotorLayout motors;
 };
 
 Machine make_machine(const Vehicle& vehicle, const Heightfield& terrain, const SoilMap& soil);
@@ -36,8 +37,8 @@ struct StepReport {
   PerWheel<WheelContact> contacts;
   StoredEnergy stored;  // before
   PerWheel<double> slip{};
-  double motor_nm = 0.0;
-  double motor_w = 0.0;    // electrical
+  double motor_nm = 0.0;   // all motors
+  double motor_w = 0.0;    // electrical, into the inverters
   double battery_w = 0.0;  // at the terminals
   double battery_v = 0.0;
   double draft_n = 0.0;
@@ -52,9 +53,15 @@ ChassisState place_on_ground(const Machine& machine, const Eigen::Vector2d& p_W,
 // Position of the rear-axle centre's ground point (origin of B) in W.
 Eigen::Vector3d origin_of(const ChassisState& chassis, const ChassisMass& mass);
 
+// Angle of the virtual front wheel on the centre line, and how fast its actuator turns it.
+struct Steer {
+  double angle_rad = 0.0;
+  double rate_rad_per_s = 0.0;
+};
+
 // Drives one step: motor, normal forces, draft, tyres, Bullet, battery, ledger. `lowered` is how
-// far the implement is down (0..1), `steer_rad` the angle of the virtual front wheel.
-StepReport step_machine(const Machine& machine, const DriverCommand& command, double steer_rad,
+// far the implement is down (0..1), `steer` the angle of the virtual front wheel and its rate.
+StepReport step_machine(const Machine& machine, const DriverCommand& command, Steer steer,
                         double lowered, double dt_s, BulletWorld& world, MachineState& state);
 
 }  // namespace headland

@@ -33,8 +33,7 @@ void learn_bias(const Vehicle& vehicle, const DriverView& view, double steer_rad
   };
   approach(bias.sideslip_rad, std::atan(view.course_mps.y() / view.course_mps.x()), kSideslipTime_s,
            kMaxSideslip_rad);
-  const double driven_rad =
-      std::atan(wheelbase_m(vehicle) * view.yaw_rate_rad_per_s / view.course_mps.x());
+  const double driven_rad = steer_for(vehicle, view.yaw_rate_rad_per_s / view.course_mps.x());
   approach(bias.steer_rad, steer_rad - driven_rad, kSteerBiasTime_s, kMaxSteerBias_rad);
 }
 
@@ -64,8 +63,7 @@ double steer_along(const Route& route, const RoutePlace& place, const Vehicle& v
   const double curvature_per_m =
       ahead(preview_m).curvature_per_m + pursuit_curvature_per_m(target) -
       pursuit_curvature_per_m(seen_from(here.p_W, here.heading_rad, target_W));
-  return std::clamp(std::atan(wheelbase_m(vehicle) * curvature_per_m) + bias.steer_rad, -limit_rad,
-                    limit_rad);
+  return std::clamp(steer_for(vehicle, curvature_per_m) + bias.steer_rad, -limit_rad, limit_rad);
 }
 
 }  // namespace headland

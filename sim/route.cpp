@@ -83,7 +83,7 @@ void smooth_curvature(Route& route) {
 void limit_speeds_in_curves(Route& route, const Vehicle& vehicle) {
   const double rate_rad_per_s = kSteeringRateShare * vehicle.steering.max_rate_rad_per_s;
   const auto steer_rad = [&](const RoutePoint& point) {
-    return std::atan(wheelbase_m(vehicle) * point.curvature_per_m);
+    return steer_for(vehicle, point.curvature_per_m);
   };
   constexpr double kStraight_per_m = 1e-6;
   for (const RouteRun& run : route.runs) {

@@ -34,6 +34,10 @@ std::string_view energy_cause_name(EnergyCause cause) {
       return "battery loss";
     case EnergyCause::kAuxiliary:
       return "auxiliary";
+    case EnergyCause::kSteering:
+      return "steering";
+    case EnergyCause::kInverter:
+      return "inverter";
     case EnergyCause::kMotor:
       return "motor loss";
     case EnergyCause::kDrivetrain:

@@ -29,7 +29,9 @@ enum class Outcome {
 enum class EnergyCause {
   kBatteryLoss,  // R0 and the RC pair
   kAuxiliary,
-  kMotor,  // motor and inverter loss model
+  kSteering,  // steering actuator
+  kInverter,
+  kMotor,
   kDrivetrain,
   kBrake,
   kRolling,     // rolling resistance of the tyres

@@ -37,7 +37,7 @@ void settle(const Machine& machine, double dt_s, BulletWorld& world, MachineStat
   MachineState resting = state;
   const auto steps = std::lround(kSettle_s / dt_s);
   for (long i = 0; i < steps; ++i) {
-    step_machine(machine, standing, 0.0, 0.0, dt_s, world, resting);
+    step_machine(machine, standing, {}, 0.0, dt_s, world, resting);
   }
   state.wheels = resting.wheels;
 }
@@ -77,8 +77,10 @@ RunRecord simulate(const SimulationSetup& setup) {
     follow(route, p_W, place);
     view.p_W = receive(receiver, p_W);
     view.age_s = options.positioning.latency_s;
+    const double steer_before_rad = driver.steer_rad;
     command = drive(route, setup.vehicle, view, machine.mass.mass_kg, dt_s, driver);
-    report = step_machine(machine, command, driver.steer_rad, driver.lowered, dt_s, world, state);
+    const Steer steer{driver.steer_rad, (driver.steer_rad - steer_before_rad) / dt_s};
+    report = step_machine(machine, command, steer, driver.lowered, dt_s, world, state);
     record_step(recorder, report, state, driver, command, cross_track_m(route, place, p_W));
     if (driver.place.run != place.run) place = driver.place;
     const auto incident = find_incident(setup, machine, report, world, state, driver,
@@ -96,8 +98,8 @@ RunRecord simulate(const SimulationSetup& setup) {
   }
 
   const ChassisState chassis = world.state();
-  const auto contacts = touch_ground(setup.terrain, chassis, machine.wheels, driver.steer_rad,
-                                     wheelbase_m(setup.vehicle));
+  const auto contacts = touch_ground(setup.terrain, chassis, machine.wheels,
+                                     curvature_of(setup.vehicle, driver.steer_rad));
   finish_record(recorder, report,
                 stored_energy(machine.mass, chassis, machine.wheels, state.wheels, contacts), state,
                 driver, command);

@@ -6,8 +6,8 @@
 namespace headland {
 namespace {
 
-WheelDefinition define_wheel(const Axle& axle, bool left, bool steered, const ChassisMass& mass,
-                             double static_load_n) {
+WheelDefinition define_wheel(const Axle& axle, bool left, SteeringKind steering,
+                             const ChassisMass& mass, double static_load_n) {
   WheelDefinition wheel;
   const double half_track_m = 0.5 * axle.track_m;
   wheel.hub_C =
@@ -19,8 +19,8 @@ WheelDefinition define_wheel(const Axle& axle, bool left, bool steered, const Ch
   wheel.stiffness_n_per_m = axle.vertical_stiffness_n_per_m;
   wheel.damping_n_s_per_m = axle.vertical_damping_n_s_per_m;
   wheel.driven = axle.driven;
-  wheel.steered = steered;
-  wheel.left = left;
+  wheel.steered = steering != SteeringKind::kSkid && axle.x_B_m != 0.0;
+  wheel.p_B = {axle.x_B_m, left ? half_track_m : -half_track_m};
   wheel.oscillation_max_rad = axle.oscillation_max_rad;
   return wheel;
 }
@@ -53,28 +53,23 @@ Gap measure_gap(const Heightfield& terrain, const ChassisState& chassis,
 }  // namespace
 
 PerWheel<WheelDefinition> define_wheels(const Vehicle& vehicle, const ChassisMass& mass) {
-  const double front_share = mass.com_B.x() / wheelbase_m(vehicle);
+  const double front_share = (mass.com_B.x() - vehicle.rear.x_B_m) / wheelbase_m(vehicle);
   const double weight_n = mass.mass_kg * kGravity_mps2;
   PerWheel<WheelDefinition> wheels;
   for (int i = 0; i < kWheels; ++i) {
     const bool front = i >= 2;
     const double load_n = 0.5 * weight_n * (front ? front_share : 1.0 - front_share);
     auto& wheel = wheels[static_cast<std::size_t>(i)];
-    wheel = define_wheel(front ? vehicle.front : vehicle.rear, i % 2 == 0, front, mass, load_n);
+    wheel = define_wheel(front ? vehicle.front : vehicle.rear, i % 2 == 0, vehicle.steering.kind,
+                         mass, load_n);
     wheel.partner = i ^ 1;
   }
   return wheels;
 }
 
-double ackermann_rad(double steer_rad, double wheelbase_m, double half_track_m, bool left) {
-  const double tangent = std::tan(steer_rad);
-  const double side_m = left ? half_track_m : -half_track_m;
-  return std::atan2(wheelbase_m * tangent, wheelbase_m - side_m * tangent);
-}
-
 PerWheel<WheelContact> touch_ground(const Heightfield& terrain, const ChassisState& chassis,
-                                    const PerWheel<WheelDefinition>& wheels, double steer_rad,
-                                    double wheelbase_m) {
+                                    const PerWheel<WheelDefinition>& wheels,
+                                    double curvature_per_m) {
   PerWheel<Gap> gaps;
   for (std::size_t i = 0; i < kWheels; ++i) gaps[i] = measure_gap(terrain, chassis, wheels[i]);
 
@@ -117,7 +112,7 @@ PerWheel<WheelContact> touch_ground(const Heightfield& terrain, const ChassisSta
 
     double angle_rad = 0.0;
     if (wheel.steered) {
-      angle_rad = ackermann_rad(steer_rad, wheelbase_m, std::abs(wheel.hub_C.y()), wheel.left);
+      angle_rad = wheel_angle_rad(curvature_per_m, wheel.p_B);
     }
     const Eigen::Vector3d heading = std::cos(angle_rad) * forward + std::sin(angle_rad) * left;
     contact.axle = std::cos(angle_rad) * left - std::sin(angle_rad) * forward;

@@ -27,9 +27,9 @@ struct WheelDefinition {
   double damping_n_s_per_m = 0.0;
   bool driven = false;
   bool steered = false;
-  bool left = false;
-  int partner = 0;                   // the other wheel of the axle
-  double oscillation_max_rad = 0.0;  // of the axle; 0: rigid
+  Eigen::Vector2d p_B = Eigen::Vector2d::Zero();  // hub seen from above
+  int partner = 0;                                // the other wheel of the axle
+  double oscillation_max_rad = 0.0;               // of the axle; 0: rigid
 };
 
 PerWheel<WheelDefinition> define_wheels(const Vehicle& vehicle, const ChassisMass& mass);
@@ -61,13 +61,11 @@ struct WheelContact {
 // the vehicle uphill. The body's tilt stands for the slope's: with the facet's own slope the
 // energy would jump at every edge between triangles, with none the hub would sink by
 // R (1 - cos(slope)) into a slope. A pivoted axle shares
-// its load equally between its wheels up to its oscillation limit.
+// its load equally between its wheels up to its oscillation limit. Steered wheels point along the
+// circle of `curvature_per_m` that B's origin is steered on.
 PerWheel<WheelContact> touch_ground(const Heightfield& terrain, const ChassisState& chassis,
-                                    const PerWheel<WheelDefinition>& wheels, double steer_rad,
-                                    double wheelbase_m);
-
-// Steer angle [rad] of the left or right front wheel (Ackermann) for the angle on the centre line.
-double ackermann_rad(double steer_rad, double wheelbase_m, double half_track_m, bool left);
+                                    const PerWheel<WheelDefinition>& wheels,
+                                    double curvature_per_m);
 
 // Energy [J] in the tyres' vertical springs.
 double spring_energy_j(const PerWheel<WheelContact>& contacts,

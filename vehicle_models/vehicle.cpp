@@ -16,17 +16,21 @@ std::string_view steering_word(SteeringKind kind) {
   return "";
 }
 
+double curvature_of(const Vehicle& vehicle, double steer_rad) {
+  return std::tan(steer_rad) / vehicle.front.x_B_m;
+}
+
+double steer_for(const Vehicle& vehicle, double curvature_per_m) {
+  return std::atan(vehicle.front.x_B_m * curvature_per_m);
+}
+
+double wheel_angle_rad(double curvature_per_m, const Eigen::Vector2d& p_B) {
+  return std::atan2(p_B.x() * curvature_per_m, 1.0 - p_B.y() * curvature_per_m);
+}
+
 double min_turning_radius_m(const Vehicle& vehicle) {
-  const Steering& steering = vehicle.steering;
-  switch (steering.kind) {
-    case SteeringKind::kFront:
-      return wheelbase_m(vehicle) / std::tan(steering.max_angle_rad);
-    case SteeringKind::kFourWheel:
-      return wheelbase_m(vehicle) / (2.0 * std::tan(steering.max_angle_rad));
-    case SteeringKind::kSkid:
-      return steering.turning_radius_m;
-  }
-  return 0.0;
+  if (vehicle.steering.kind == SteeringKind::kSkid) return vehicle.steering.turning_radius_m;
+  return 1.0 / curvature_of(vehicle, vehicle.steering.max_angle_rad);
 }
 
 double planning_turning_radius_m(const Vehicle& vehicle) {

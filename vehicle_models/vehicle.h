@@ -1,8 +1,10 @@
 // A vehicle as data: body, wheels, steering, drivetrain, motor, battery, implement, driver.
 //
-// Body frame B: origin on the ground below the rear-axle centre on flat ground, x forward, y left,
-// z up. Every number comes from the vehicle's folder (vehicle.urdf and drive.yaml), where it stands
-// with its source or the word 'assumed'; the key tells the unit. Loader: vehicle_loader.h.
+// Body frame B: origin on flat ground below the point that travels where the vehicle heads and
+// that follows paths: the rear-axle centre with front steering, the middle between the axles with
+// four-wheel and skid steering. x forward, y left, z up. Every number comes from the vehicle's
+// folder (vehicle.urdf and drive.yaml), where it stands with its source or the word 'assumed'; the
+// key tells the unit. Loader: vehicle_loader.h.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,12 +26,12 @@ struct Body {
   double length_m = 0.0;                                    // hull box, for collisions
   double width_m = 0.0;
   double height_m = 0.0;
-  double rear_overhang_m = 0.0;  // hull box reaches this far behind the rear axle
+  double rear_overhang_m = 0.0;  // hull box reaches this far behind B's origin
   double ground_clearance_m = 0.0;
 };
 
 struct Axle {
-  double x_B_m = 0.0;     // 0 for the rear axle, wheelbase for the front
+  double x_B_m = 0.0;     // 0: not steered, see wheel_angle_rad
   double track_m = 0.0;   // between wheel centres
   double radius_m = 0.0;  // loaded rolling radius at static load
   double width_m = 0.0;
@@ -92,10 +94,17 @@ inline double wheelbase_m(const Vehicle& vehicle) {
   return vehicle.front.x_B_m - vehicle.rear.x_B_m;
 }
 
-// Radius [m] of the tightest circle of the point that travels where the vehicle heads: the
-// rear-axle centre with front steering, the middle between the axles with four-wheel steering
-// (single-track model: L / tan and L / (2 tan) of the largest angle) and with skid steering (as
-// given).
+// Curvature [1/m] of the circle that B's origin is steered on at a steering angle, and back
+// (single-track model).
+double curvature_of(const Vehicle& vehicle, double steer_rad);
+double steer_for(const Vehicle& vehicle, double curvature_per_m);
+
+// Angle [rad] of a steered wheel whose hub is at `p_B` when B's origin turns on a circle of that
+// curvature: square to the line from the circle's centre (Ackermann).
+double wheel_angle_rad(double curvature_per_m, const Eigen::Vector2d& p_B);
+
+// Radius [m] of the tightest circle of B's origin: by the largest steering angle (single-track
+// model), or as given for skid steering.
 double min_turning_radius_m(const Vehicle& vehicle);
 
 // Radius [m] that plans are made with: the tightest circle with the margin that keeps steering

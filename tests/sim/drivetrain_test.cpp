@@ -60,10 +60,15 @@ struct Rig {
     for (WheelContact& contact : contacts) contact.load_n = 1000.0;
     contacts[0].load_n = 3000.0;
   }
-  DrivetrainCommand command(double wanted_nm, double speed_mps) const {
-    const double motor_speed = vehicle.drivetrain.gear_ratio * speed_mps / wheels[0].radius_m;
-    return command_drive(vehicle, wheels, contacts, wanted_nm, motor_speed, speed_mps, kPlenty_w,
-                         kPlenty_w, false);
+  DrivetrainCommand command(double wanted_nm, double speed_mps, double yaw_torque_nm = 0.0) const {
+    const MotorLayout layout = motor_layout(vehicle);
+    DriveRequest request;
+    request.wheel_torque_nm = split_torque(vehicle, layout, wanted_nm, yaw_torque_nm);
+    request.speed_mps = speed_mps;
+    request.motor_speed_rad_per_s.fill(vehicle.drivetrain.gear_ratio * speed_mps /
+                                       wheels[0].radius_m);
+    request.available_w = request.acceptable_w = kPlenty_w;
+    return command_drive(vehicle, layout, contacts, request);
   }
 };
 
@@ -75,14 +80,14 @@ TEST(Drivetrain, DrivingSplitsTheWantedTorqueEvenly) {
   EXPECT_EQ(command.wheels[2].drive_nm, 0.0);
   EXPECT_EQ(command.wheels[0].brake_max_nm, 0.0);
   const Drivetrain& gear = rig.vehicle.drivetrain;
-  EXPECT_NEAR(command.motor_nm, 400.0 / (gear.gear_ratio * gear.efficiency), 1e-9);
+  EXPECT_NEAR(command.motor_nm[0], 400.0 / (gear.gear_ratio * gear.efficiency), 1e-9);
 }
 
 TEST(Drivetrain, BrakingWithoutRegenerationIsAllFrictionByWheelLoad) {
   Rig rig;
   rig.vehicle.motor.regeneration_fraction = 0.0;
   const DrivetrainCommand command = rig.command(-300.0, 0.8);
-  EXPECT_EQ(command.motor_nm, 0.0);
+  EXPECT_EQ(command.motor_nm[0], 0.0);
   EXPECT_NEAR(command.wheels[0].brake_max_nm, 150.0, 1e-9);
   EXPECT_NEAR(command.wheels[3].brake_max_nm, 50.0, 1e-9);
 }
@@ -96,7 +101,34 @@ TEST(Drivetrain, RegenerationTakesItsShareAboveTheLeastSpeed) {
   double friction_nm = 0.0;
   for (const WheelTorques& wheel : fast.wheels) friction_nm += wheel.brake_max_nm;
   EXPECT_NEAR(friction_nm, 120.0, 1e-9);
-  EXPECT_EQ(rig.command(-300.0, 0.4).motor_nm, 0.0);
+  EXPECT_EQ(rig.command(-300.0, 0.4).motor_nm[0], 0.0);
+}
+
+// A couple about z comes from the wheels' forward forces, right minus left, at half the track.
+TEST(Drivetrain, MotorsAtTheWheelsTurnTheVehicle) {
+  Rig rig;
+  rig.vehicle.drivetrain.motor_per_wheel = true;
+  rig.vehicle.front.driven = rig.vehicle.rear.driven = true;
+  rig.vehicle.motor.max_torque_nm = 1e3;
+  rig.vehicle.motor.max_power_w = 1e6;
+  const DrivetrainCommand command = rig.command(100.0, 0.8, 240.0);
+  double total_nm = 0.0;
+  double couple_nm = 0.0;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    const double drive_nm = command.wheels[i].drive_nm;
+    // The wheels that run against the wish of their motor also brake.
+    const double brake_nm = drive_nm <= 0.0 ? command.wheels[i].brake_max_nm : 0.0;
+    total_nm += drive_nm - brake_nm;
+    couple_nm -= (drive_nm - brake_nm) / rig.wheels[i].radius_m * rig.wheels[i].p_B.y();
+  }
+  EXPECT_NEAR(total_nm, 100.0, 1e-9);
+  EXPECT_NEAR(couple_nm, 240.0, 1e-9);
+}
+
+TEST(Drivetrain, OneMotorCannotTurnTheVehicle) {
+  const Rig rig;
+  EXPECT_EQ(rig.command(100.0, 0.8, 500.0).wheels[0].drive_nm,
+            rig.command(100.0, 0.8).wheels[0].drive_nm);
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ TEST(Simulation, TipsOverAtThePredictedSideSlope) {
     braked.hold = true;
     StepReport report;
     for (int i = 0; i < 6000; ++i) {
-      report = step_machine(machine, braked, 0.0, 0.0, kStep_s, world, state);
+      report = step_machine(machine, braked, {}, 0.0, kStep_s, world, state);
     }
     return (report.contacts[0].load_n + report.contacts[2].load_n) / std::cos(slope_rad);
   };
@@ -233,7 +233,7 @@ TEST(Simulation, CoastsDownByTheRollingResistance) {
   }
   const DriverCommand coasting;
   for (int i = 0; i < 720; ++i) {
-    step_machine(machine, coasting, 0.0, 0.0, 1.0 / 240.0, world, state);
+    step_machine(machine, coasting, {}, 0.0, 1.0 / 240.0, world, state);
   }
   const double mass_kg = machine.mass.mass_kg;
   const double deceleration = 0.05 * mass_kg * kGravity_mps2 / (mass_kg + rotating_kg);

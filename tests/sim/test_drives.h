@@ -169,7 +169,7 @@ struct ParkedVehicle {
 };
 inline ParkedVehicle park(const Vehicle& vehicle, double slope, double rate_hz) {
   const Heightfield terrain = plane(slope, 0.0);
-  const Soil soil = textbook_soil();
+  const SoilMap soil = textbook_soil();
   const Machine machine = make_machine(vehicle, terrain, soil);
   BulletWorld world(open_field(), terrain, vehicle);
   world.set_state(place_on_ground(machine, {0.0, 0.0}, 0.0));
@@ -178,7 +178,7 @@ inline ParkedVehicle park(const Vehicle& vehicle, double slope, double rate_hz) 
   braked.hold = true;
   const auto stand = [&](double seconds) {
     for (long i = 0; i < std::lround(seconds * rate_hz); ++i) {
-      step_machine(machine, braked, 0.0, 0.0, 1.0 / rate_hz, world, state);
+      step_machine(machine, braked, {}, 0.0, 1.0 / rate_hz, world, state);
     }
     return world.state().p_WC;
   };

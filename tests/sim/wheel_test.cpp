@@ -18,7 +18,7 @@ TEST(Wheels, StaticLoadsCarryTheWeightByTheLeverRule) {
   const SoilMap soil = test::textbook_soil();
   const Machine machine = make_machine(vehicle, terrain, soil);
   const ChassisState chassis = place_on_ground(machine, {0.0, 0.0}, 0.3);
-  const auto contacts = touch_ground(terrain, chassis, machine.wheels, 0.0, wheelbase_m(vehicle));
+  const auto contacts = touch_ground(terrain, chassis, machine.wheels, 0.0);
   double total_n = 0.0;
   for (const WheelContact& contact : contacts) total_n += contact.load_n;
   const double weight_n = machine.mass.mass_kg * kGravity_mps2;
@@ -36,7 +36,7 @@ TEST(Wheels, NormalForceHasNoMomentAboutTheHub) {
   const Machine machine = make_machine(vehicle, terrain, soil);
   const ChassisState chassis = place_on_ground(machine, {3.0, 4.0}, 0.7);
   for (const WheelContact& contact :
-       touch_ground(terrain, chassis, machine.wheels, 0.1, wheelbase_m(vehicle))) {
+       touch_ground(terrain, chassis, machine.wheels, curvature_of(vehicle, 0.1))) {
     ASSERT_GT(contact.load_n, 0.0);
     const Eigen::Vector3d force = contact.load_n * contact.normal;
     EXPECT_NEAR((contact.normal_arm - contact.hub_arm).cross(force).norm(), 0.0, kRounding);
@@ -57,7 +57,7 @@ TEST(Wheels, NormalForcesGiveNoPropulsionUphill) {
   DriverCommand coasting;
   constexpr int kSteps = 480;
   for (int i = 0; i < kSteps; ++i) {
-    step_machine(machine, coasting, 0.0, 0.0, 1.0 / 240.0, world, state);
+    step_machine(machine, coasting, {}, 0.0, 1.0 / 240.0, world, state);
   }
   const double slope_rad = std::atan(0.1);
   const double expected_mps = -kGravity_mps2 * std::sin(slope_rad) * 2.0;
@@ -66,15 +66,17 @@ TEST(Wheels, NormalForcesGiveNoPropulsionUphill) {
   EXPECT_NEAR(after.v_W.dot(after.R_WB.col(0)), expected_mps, 0.002 * std::abs(expected_mps));
 }
 
+// All axles' lines meet at one centre, 1/curvature to the left of B's origin.
 TEST(Wheels, AckermannMeetsAtOneCentre) {
-  constexpr double kWheelbase_m = 2.0;
-  constexpr double kHalfTrack_m = 0.8;
-  const double left = ackermann_rad(0.5, kWheelbase_m, kHalfTrack_m, true);
-  const double right = ackermann_rad(0.5, kWheelbase_m, kHalfTrack_m, false);
-  const double radius_m = kWheelbase_m / std::tan(0.5);
-  EXPECT_NEAR(kWheelbase_m / std::tan(left) + kHalfTrack_m, radius_m, kRounding);
-  EXPECT_NEAR(kWheelbase_m / std::tan(right) - kHalfTrack_m, radius_m, kRounding);
-  EXPECT_EQ(ackermann_rad(-0.5, kWheelbase_m, kHalfTrack_m, false), -left);
+  constexpr double kCurvature_per_m = 0.25;
+  for (const Eigen::Vector2d& p_B :
+       {Eigen::Vector2d(2.0, 0.8), Eigen::Vector2d(2.0, -0.8), Eigen::Vector2d(-1.0, 0.8)}) {
+    const double angle = wheel_angle_rad(kCurvature_per_m, p_B);
+    const Eigen::Vector2d to_centre = Eigen::Vector2d(0.0, 1.0 / kCurvature_per_m) - p_B;
+    EXPECT_NEAR(to_centre.dot(Eigen::Vector2d(std::cos(angle), std::sin(angle))), 0.0, kRounding);
+    EXPECT_EQ(wheel_angle_rad(-kCurvature_per_m, {p_B.x(), -p_B.y()}), -angle);
+  }
+  EXPECT_EQ(wheel_angle_rad(kCurvature_per_m, {0.0, 0.8}), 0.0) << "the axle that follows the path";
 }
 
 TEST(Wheels, PivotedAxleSharesItsLoadEquallyUpToItsStop) {
@@ -92,8 +94,8 @@ TEST(Wheels, PivotedAxleSharesItsLoadEquallyUpToItsStop) {
   const auto loads = [&](double oscillation_rad) {
     vehicle.front.oscillation_max_rad = oscillation_rad;
     const Machine machine = make_machine(vehicle, terrain, soil);
-    const auto contacts = touch_ground(terrain, place_on_ground(machine, {0.0, 0.0}, 0.0),
-                                       machine.wheels, 0.0, wheelbase_m(vehicle));
+    const auto contacts =
+        touch_ground(terrain, place_on_ground(machine, {0.0, 0.0}, 0.0), machine.wheels, 0.0);
     return std::pair(contacts[2].load_n, contacts[3].load_n);
   };
   // The two wheels stand on slopes of opposite sign: their normals differ, their springs do not.
@@ -106,7 +108,6 @@ TEST(Wheels, PivotedAxleSharesItsLoadEquallyUpToItsStop) {
   EXPECT_GT(std::abs(stopped_left - stopped_right), 0.1 * free_left);
   EXPECT_LT(std::abs(stopped_left - stopped_right), std::abs(rigid_left - rigid_right));
 }
-
 
 }  // namespace
 }  // namespace headland
