@@ -14,6 +14,8 @@ constexpr double kSteerReady_rad = 0.05;  // steering error at which a run may s
 constexpr double kSpeedGain_per_s = 3.0;
 constexpr double kSpeedIntegralGain_per_s2 = 1.5;
 constexpr double kSpeedIntegralMax_mps2 = 6.0;
+constexpr double kYawGain_per_s = 30.0;
+constexpr double kYawIntegralGain_per_s2 = 120.0;
 constexpr double kReferenceLead_mps = 0.3;   // the reference waits for a vehicle that lags by this
 constexpr double kLeastLateralShare = 0.25;  // of the lateral acceleration, kept on any side slope
 
@@ -44,6 +46,7 @@ void enter_next_run(const Route& route, DriverState& state) {
   state.starting = true;
   state.reference_mps = 0.0;
   state.speed_integral_m = 0.0;
+  state.yaw_integral_rad = 0.0;
 }
 
 // Speed at which the bend being steered, with the side slope's pull where it adds to it, stays
@@ -82,6 +85,22 @@ double wheel_torque(const Route& route, const Vehicle& vehicle, const DriverView
   return force_n * (vehicle.rear.driven ? vehicle.rear.radius_m : vehicle.front.radius_m);
 }
 
+// Couple [N m] that brings a skid-steered vehicle to the yaw rate it is steered to, against the
+// scrub of its wheels, which the integral finds.
+double yaw_torque(const Vehicle& vehicle, const DriverView& view, double dt_s, DriverState& state) {
+  const double wanted_rad_per_s = view.speed_mps * curvature_of(vehicle, state.steer_rad);
+  const double error_rad_per_s = wanted_rad_per_s - view.yaw_rate_rad_per_s;
+  const double inertia_kg_m2 = vehicle.body.inertia_kg_m2.z();
+  // No couple beyond what wheels of full grip could give.
+  const double most_nm = 0.5 * kGravity_mps2 * total_mass_kg(vehicle) * vehicle.rear.track_m;
+  const double limit_rad = most_nm / (inertia_kg_m2 * kYawIntegralGain_per_s2);
+  state.yaw_integral_rad =
+      std::clamp(state.yaw_integral_rad + dt_s * error_rad_per_s, -limit_rad, limit_rad);
+  return std::clamp(inertia_kg_m2 * (kYawGain_per_s * error_rad_per_s +
+                                     kYawIntegralGain_per_s2 * state.yaw_integral_rad),
+                    -most_nm, most_nm);
+}
+
 }  // namespace
 
 DriverState at_start(const Route& route, double steering_latency_s, double rate_hz) {
@@ -118,6 +137,9 @@ DriverCommand drive(const Route& route, const Vehicle& vehicle, const DriverView
     if (command.hold) return command;
   }
   command.wheel_torque_nm = wheel_torque(route, vehicle, view, mass_kg, dt_s, state);
+  if (vehicle.steering.kind == SteeringKind::kSkid) {
+    command.yaw_torque_nm = yaw_torque(vehicle, view, dt_s, state);
+  }
   return command;
 }
 

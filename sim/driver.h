@@ -16,8 +16,9 @@ struct DriverState {
   double steering_latency_s = 0.0;
   double reference_mps = 0.0;  // speed asked for, along the gear: ramps up, follows the limit down
   double speed_integral_m = 0.0;
-  double lowered = 0.0;  // implement: 0 up, 1 down
-  bool starting = true;  // waits at a run's start until the wheels point the right way
+  double yaw_integral_rad = 0.0;  // of a skid-steered vehicle
+  double lowered = 0.0;           // implement: 0 up, 1 down
+  bool starting = true;           // waits at a run's start until the wheels point the right way
   bool finished = false;
 };
 
@@ -36,7 +37,8 @@ DriverState at_start(const Route& route, double steering_latency_s, double rate_
 
 // One step of the driver. Speed is regulated by the route's limits and, where the vehicle is, by
 // the lateral acceleration of its actual steering angle together with the side slope's pull.
-// Steering turns at its rate limit towards `steer_along`.
+// Steering turns at its rate limit towards `steer_along`; a skid-steered vehicle is turned by a
+// couple that holds the yaw rate of the same angle.
 DriverCommand drive(const Route& route, const Vehicle& vehicle, const DriverView& view,
                     double mass_kg, double dt_s, DriverState& state);
 
