@@ -86,9 +86,10 @@ struct BulletWorld::Parts {
     if (vehicle.implement.working_width_m > 0.0) {
       constexpr double kHalfDepth_m = 0.25;
       const double x_m = vehicle.implement.x_B_m;
+      const double z_m = vehicle.implement.com_height_m;
       const double half_m = 0.5 * vehicle.implement.working_width_m;
-      add_box({x_m - kHalfDepth_m, -half_m, kImplementHeight_m - kHalfDepth_m},
-              {x_m + kHalfDepth_m, half_m, kImplementHeight_m + kHalfDepth_m}, mass.com_B);
+      add_box({x_m - kHalfDepth_m, -half_m, z_m - kHalfDepth_m},
+              {x_m + kHalfDepth_m, half_m, z_m + kHalfDepth_m}, mass.com_B);
     }
     btRigidBody::btRigidBodyConstructionInfo info(mass.mass_kg, nullptr, &hull_shape,
                                                   to_bullet(mass.inertia_kg_m2));

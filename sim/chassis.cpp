@@ -16,11 +16,10 @@ Eigen::Vector3d steiner(double mass_kg, const Eigen::Vector3d& d) {
 
 ChassisMass chassis_mass(const Vehicle& vehicle) {
   const Implement& implement = vehicle.implement;
-  const Eigen::Vector3d implement_B(implement.x_B_m, 0.0, kImplementHeight_m);
+  const Eigen::Vector3d implement_B(implement.x_B_m, 0.0, implement.com_height_m);
   ChassisMass chassis;
   chassis.mass_kg = total_mass_kg(vehicle);
-  chassis.com_B = (vehicle.body.mass_kg * vehicle.body.com_B + implement.mass_kg * implement_B) /
-                  chassis.mass_kg;
+  chassis.com_B = total_com_B(vehicle);
   const double bar =
       implement.mass_kg * implement.working_width_m * implement.working_width_m / 12.0;
   chassis.inertia_kg_m2 = vehicle.body.inertia_kg_m2 + Eigen::Vector3d(bar, 0.0, bar) +

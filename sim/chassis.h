@@ -9,15 +9,13 @@
 namespace headland {
 
 // Mass, centre of mass and principal inertia of body and implement together. The implement is a
-// bar of its working width at kImplementHeight_m above the ground. Products of inertia are
+// bar of its working width at its com_height_m. Products of inertia are
 // neglected: machines are close to symmetric about the x-z plane.
 struct ChassisMass {
   double mass_kg = 0.0;
   Eigen::Vector3d com_B = Eigen::Vector3d::Zero();
   Eigen::Vector3d inertia_kg_m2 = Eigen::Vector3d::Zero();
 };
-
-inline constexpr double kImplementHeight_m = 0.5;
 
 ChassisMass chassis_mass(const Vehicle& vehicle);
 

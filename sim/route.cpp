@@ -93,6 +93,11 @@ void limit_speeds_in_curves(Route& route, const Vehicle& vehicle) {
       point.speed_limit_mps =
           std::min(point.speed_limit_mps,
                    std::sqrt(vehicle.driver.max_lateral_acceleration_mps2 / bend_per_m));
+      if (vehicle.steering.kind == SteeringKind::kSkid) {
+        point.speed_limit_mps =
+            std::min(point.speed_limit_mps,
+                     kSteeringRateShare * vehicle.steering.max_yaw_rate_rad_per_s / bend_per_m);
+      }
       if (i == run.last) continue;
       RoutePoint& next = route.points[i + 1];
       const double change_rad = std::abs(steer_rad(next) - steer_rad(point));

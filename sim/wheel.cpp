@@ -53,7 +53,7 @@ Gap measure_gap(const Heightfield& terrain, const ChassisState& chassis,
 }  // namespace
 
 PerWheel<WheelDefinition> define_wheels(const Vehicle& vehicle, const ChassisMass& mass) {
-  const double front_share = (mass.com_B.x() - vehicle.rear.x_B_m) / wheelbase_m(vehicle);
+  const double front_share = front_load_share(vehicle);
   const double weight_n = mass.mass_kg * kGravity_mps2;
   PerWheel<WheelDefinition> wheels;
   for (int i = 0; i < kWheels; ++i) {

@@ -226,7 +226,6 @@ RunningGear find_running_gear(const Robot& robot) {
   if (rear_left.pivot_rad && front_left.pivot_rad) {
     refuse_layout(robot, "", "both axles pivot: nothing would hold the body upright");
   }
-  gear.origin_R = {0.5 * (rear_left.centre_R.x() + rear_right.centre_R.x()), middle_m, ground_m};
   const bool front = front_left.left_rad.has_value();
   const bool rear = rear_left.left_rad.has_value();
   if (rear && !front) {
@@ -237,6 +236,10 @@ RunningGear find_running_gear(const Robot& robot) {
                   : front ? SteeringKind::kFront
                           : SteeringKind::kSkid;
   if (front) gear.max_angle_rad = largest_angle_rad(gear);
+  const double rear_x_m = 0.5 * (rear_left.centre_R.x() + rear_right.centre_R.x());
+  const double front_x_m = 0.5 * (front_left.centre_R.x() + front_right.centre_R.x());
+  const bool rear_follows = gear.steering == SteeringKind::kFront;
+  gear.origin_R = {rear_follows ? rear_x_m : 0.5 * (rear_x_m + front_x_m), middle_m, ground_m};
   return gear;
 }
 

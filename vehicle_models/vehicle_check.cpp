@@ -27,10 +27,10 @@ void check_body(const Vehicle& vehicle, const std::string& source) {
     refuse(source, "body.inertia_kg_m2", inertia.maxCoeff(),
            "no rigid body has one moment of inertia larger than the sum of the other two");
   }
-  if (body.com_B.x() <= 0.0 || body.com_B.x() >= wheelbase_m(vehicle)) {
+  if (body.com_B.x() <= vehicle.rear.x_B_m || body.com_B.x() >= vehicle.front.x_B_m) {
     refuse(source, "body.com_B", body.com_B.x(),
-           fmt::format("the centre of mass must lie between the axles, x in (0, {:g}) m",
-                       wheelbase_m(vehicle)));
+           fmt::format("the centre of mass must lie between the axles, x in ({:g}, {:g}) m",
+                       vehicle.rear.x_B_m, vehicle.front.x_B_m));
   }
   if (body.com_B.z() > body.height_m) {
     refuse(source, "body.com_B", body.com_B.z(),
@@ -63,8 +63,11 @@ void check_axle(const Vehicle& vehicle, const Axle& axle, double load_n, const s
 }
 
 void check_axles(const Vehicle& vehicle, const std::string& source) {
-  if (vehicle.rear.x_B_m != 0.0) {
-    refuse(source, "rear.x_B_m", vehicle.rear.x_B_m, "must be 0: frame B starts there");
+  const double rear_x_m =
+      vehicle.steering.kind == SteeringKind::kFront ? 0.0 : -vehicle.front.x_B_m;
+  if (vehicle.rear.x_B_m != rear_x_m) {
+    refuse(source, "rear.x_B_m", vehicle.rear.x_B_m,
+           fmt::format("must be {:g}: frame B starts where the vehicle turns about", rear_x_m));
   }
   const AxleLoads loads = static_axle_loads(vehicle);
   const double weight_n = loads.rear_n + loads.front_n;
@@ -110,9 +113,9 @@ void check_steering(const Vehicle& vehicle, const std::string& source) {
 void check_trailing(const Vehicle& vehicle, const std::string& source) {
   const auto& trailing = vehicle.implement.trailing;
   if (!trailing) return;
-  if (trailing->hitch_x_B_m > 0.0) {
+  if (trailing->hitch_x_B_m > vehicle.rear.x_B_m) {
     refuse(source, "trailing.hitch_x_B_m", trailing->hitch_x_B_m,
-           "must be at or behind the rear axle, at most 0 m");
+           fmt::format("must be at or behind the rear axle, at most {:g} m", vehicle.rear.x_B_m));
   }
   if (vehicle.implement.x_B_m >= trailing->hitch_x_B_m) {
     refuse(source, "implement.x_B_m", vehicle.implement.x_B_m,
@@ -173,18 +176,12 @@ void check_vehicle(const Vehicle& vehicle, const std::string& source) {
 }
 
 void check_drivable(const Vehicle& vehicle, const std::string& source) {
-  const auto stop = [&](std::string_view key, std::string_view what) {
-    throw InputError(source, "vehicle", vehicle.name,
-                     fmt::format("{} ({}) is not driven by the simulation yet; 'headland plan' and "
-                                 "'headland vehicle check' take it",
-                                 what, key));
-  };
-  if (vehicle.steering.kind == SteeringKind::kSkid) stop("steering.kind", "skid steering");
-  if (vehicle.steering.kind == SteeringKind::kFourWheel) {
-    stop("steering.kind", "four-wheel steering");
+  if (vehicle.implement.trailing) {
+    throw InputError(
+        source, "vehicle", vehicle.name,
+        "a trailed implement (implement.trailing) is not driven by the simulation yet; "
+        "'headland plan' and 'headland vehicle check' take it");
   }
-  if (vehicle.drivetrain.motor_per_wheel) stop("drivetrain.driven", "a motor at each wheel");
-  if (vehicle.implement.trailing) stop("implement.trailing", "a trailed implement");
 }
 
 }  // namespace headland

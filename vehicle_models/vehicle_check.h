@@ -13,7 +13,7 @@ namespace headland {
 void check_vehicle(const Vehicle& vehicle, const std::string& source);
 
 // Throws InputError for a vehicle that stands for itself but that the simulation does not drive:
-// skid or four-wheel steering, a motor at each wheel, a trailed implement.
+// one with a trailed implement.
 void check_drivable(const Vehicle& vehicle, const std::string& source);
 
 // A parked machine must hold on this slope (rise over run) by its brakes.

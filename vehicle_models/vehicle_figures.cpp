@@ -47,15 +47,19 @@ Eigen::Vector3d total_com_B(const Vehicle& vehicle) {
          carried_kg(vehicle);
 }
 
+double front_load_share(const Vehicle& vehicle) {
+  return (total_com_B(vehicle).x() - vehicle.rear.x_B_m) / wheelbase_m(vehicle);
+}
+
 AxleLoads static_axle_loads(const Vehicle& vehicle) {
-  const double front_share = total_com_B(vehicle).x() / wheelbase_m(vehicle);
+  const double front_share = front_load_share(vehicle);
   const double weight_n = kGravity_mps2 * carried_kg(vehicle);
   return {(1.0 - front_share) * weight_n, front_share * weight_n};
 }
 
 double side_stability_angle_rad(const Vehicle& vehicle) {
   const Eigen::Vector3d com_B = total_com_B(vehicle);
-  const double front_share = com_B.x() / wheelbase_m(vehicle);
+  const double front_share = front_load_share(vehicle);
   // Half track and height of the tipping line below the centre of mass.
   const auto support = [](const Axle& axle) {
     return axle.oscillation_max_rad > 0.0 ? Eigen::Vector2d(0.0, axle.radius_m)
@@ -68,12 +72,12 @@ double side_stability_angle_rad(const Vehicle& vehicle) {
 
 double nose_up_stability_angle_rad(const Vehicle& vehicle) {
   const Eigen::Vector3d com_B = total_com_B(vehicle);
-  return std::atan2(com_B.x(), com_B.z());
+  return std::atan2(com_B.x() - vehicle.rear.x_B_m, com_B.z());
 }
 
 double nose_down_stability_angle_rad(const Vehicle& vehicle) {
   const Eigen::Vector3d com_B = total_com_B(vehicle);
-  return std::atan2(wheelbase_m(vehicle) - com_B.x(), com_B.z());
+  return std::atan2(vehicle.front.x_B_m - com_B.x(), com_B.z());
 }
 
 double top_speed_mps(const Vehicle& vehicle) {

@@ -11,6 +11,9 @@ namespace headland {
 
 inline constexpr double kGravity_mps2 = 9.80665;  // standard gravity
 
+// Share of the weight on the front axle.
+double front_load_share(const Vehicle& vehicle);
+
 // Weight on each axle [N]; negative when the axle would lift.
 struct AxleLoads {
   double rear_n = 0.0;

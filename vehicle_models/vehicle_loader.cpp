@@ -62,8 +62,8 @@ void apply_robot(const Robot& robot, const std::string& drive_file, Vehicle& veh
   RunningGear gear = find_running_gear(robot);
   place_axle(gear.wheels[0], gear.wheels[1], gear.origin_R, vehicle.rear);
   place_axle(gear.wheels[2], gear.wheels[3], gear.origin_R, vehicle.front);
-  // Exactly the origin of B, whatever the sums above were rounded to.
-  vehicle.rear.x_B_m = 0.0;
+  // Exactly about the origin of B, whatever the sums above were rounded to.
+  vehicle.rear.x_B_m = gear.steering == SteeringKind::kFront ? 0.0 : -vehicle.front.x_B_m;
   vehicle.body = body_of(robot, gear);
   vehicle.shapes = body_shapes(robot, gear);
   vehicle.notes = std::move(gear.notes);
@@ -73,7 +73,13 @@ void apply_robot(const Robot& robot, const std::string& drive_file, Vehicle& veh
                                  "between the root and the wheels steer)",
                                  kRobotFile, steering_word(gear.steering)));
   }
-  vehicle.steering.max_angle_rad = gear.max_angle_rad;
+  Steering& steering = vehicle.steering;
+  steering.max_angle_rad = gear.max_angle_rad;
+  if (gear.steering == SteeringKind::kSkid) {
+    // The virtual front wheel of the tightest arc, as fast as the vehicle may turn.
+    steering.max_angle_rad = steer_for(vehicle, 1.0 / steering.turning_radius_m);
+    steering.max_rate_rad_per_s = steering.max_yaw_rate_rad_per_s;
+  }
 }
 
 // The rotors turn with the wheels, seen through the gear.

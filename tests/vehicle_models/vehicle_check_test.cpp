@@ -139,14 +139,8 @@ std::string not_driven(const std::function<void(Vehicle&)>& change) {
 
 TEST(VehicleCheck, RefusesToDriveWhatTheSimulationDoesNotModel) {
   EXPECT_EQ(not_driven([](Vehicle&) {}), "");
-  EXPECT_THAT(not_driven([](Vehicle& v) { v.steering.kind = SteeringKind::kSkid; }),
-              AllOf(HasSubstr("vehicle: 'changed'"), HasSubstr("skid steering")));
-  EXPECT_THAT(not_driven([](Vehicle& v) { v.steering.kind = SteeringKind::kFourWheel; }),
-              HasSubstr("four-wheel steering"));
-  EXPECT_THAT(not_driven([](Vehicle& v) { v.drivetrain.motor_per_wheel = true; }),
-              HasSubstr("a motor at each wheel"));
   EXPECT_THAT(not_driven([](Vehicle& v) { v.implement.trailing.emplace(); }),
-              HasSubstr("a trailed implement"));
+              AllOf(HasSubstr("vehicle: 'changed'"), HasSubstr("a trailed implement")));
 }
 
 }  // namespace

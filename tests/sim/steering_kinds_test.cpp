@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/sim/test_drives.h"
+
+namespace headland {
+namespace {
+
+// Ends of rows and turns of a run, from the record.
+struct Tracking {
+  double rows_rms_m = 0.0;
+  double turns_rms_m = 0.0;
+};
+Tracking tracking_of(const RunRecord& run, const Path& path) {
+  double sum_m3[2] = {0.0, 0.0};
+  double length_m[2] = {0.0, 0.0};
+  for (const SegmentRecord& segment : run.segments) {
+    const int row = path.segments[static_cast<std::size_t>(segment.segment)].implement_down ? 0 : 1;
+    sum_m3[row] += segment.cross_track_sum_m3;
+    length_m[row] += segment.distance_m;
+  }
+  return {std::sqrt(sum_m3[0] / length_m[0]), std::sqrt(sum_m3[1] / length_m[1])};
+}
+
+class SteeringKinds : public testing::TestWithParam<const char*> {};
+
+TEST_P(SteeringKinds, DrivesRowsAndTurnsOnTheirPath) {
+  const Vehicle vehicle = load_vehicle(GetParam());
+  const Path path = test::rows_for(vehicle, 4, 20.0);
+  const RunRecord run = test::run(path, vehicle, test::hills(0.3, 25.0), test::soil_named("firm"));
+  ASSERT_EQ(run.outcome, Outcome::kFinished) << run.outcome_detail;
+  const Tracking tracking = tracking_of(run, path);
+  EXPECT_LE(tracking.rows_rms_m, 0.03);  // the targets with ideal positioning
+  EXPECT_LE(tracking.turns_rms_m, 0.15);
+  EXPECT_LE(std::abs(test::cause_j(run.energy, EnergyCause::kResidual)),
+            1e-4 * run.energy.battery_j);
+  for (const EnergyCause cause : {EnergyCause::kSlip, EnergyCause::kScrub, EnergyCause::kRolling,
+                                  EnergyCause::kMotor, EnergyCause::kInverter}) {
+    EXPECT_GT(test::cause_j(run.energy, cause), 0.0) << energy_cause_name(cause);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Vehicles, SteeringKinds,
+                         testing::Values("four_wheel_steer_robot", "skid_steer_robot",
+                                         "horticultural_tractor"));
+
+// Turning by wheel speeds drags the wheels sideways; turning by steered wheels hardly does.
+TEST(SteeringKinds, SkidSteeringScrubsMoreThanSteeredWheels) {
+  const auto scrub_share = [](const char* name) {
+    const Vehicle vehicle = load_vehicle(name);
+    Path path;
+    test::extend(path, PathKind::kTurn, Gear::kForward, false, 20.0, 1.0 / 3.0);
+    const RunRecord run = test::run(path, vehicle, test::plane(0.0, 0.0), test::soil_named("firm"));
+    EXPECT_EQ(run.outcome, Outcome::kFinished) << name << ' ' << run.outcome_detail;
+    return test::cause_j(run.energy, EnergyCause::kScrub) /
+           test::cause_j(run.energy, EnergyCause::kRolling);
+  };
+  EXPECT_GT(scrub_share("skid_steer_robot"), 5.0 * scrub_share("four_wheel_steer_robot"));
+}
+
+// Four wheels that turn to opposite sides halve the radius of two.
+TEST(SteeringKinds, FourSteeredWheelsTurnOnHalfTheRadius) {
+  Vehicle vehicle = load_vehicle("four_wheel_steer_robot");
+  const double four_m = min_turning_radius_m(vehicle);
+  EXPECT_NEAR(four_m, 0.5 * wheelbase_m(vehicle) / std::tan(vehicle.steering.max_angle_rad), 1e-12);
+  EXPECT_EQ(vehicle.rear.x_B_m, -vehicle.front.x_B_m);
+}
+
+}  // namespace
+}  // namespace headland
