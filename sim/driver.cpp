@@ -15,7 +15,7 @@ constexpr double kSpeedGain_per_s = 3.0;
 constexpr double kSpeedIntegralGain_per_s2 = 1.5;
 constexpr double kSpeedIntegralMax_mps2 = 6.0;
 constexpr double kYawGain_per_s = 30.0;
-constexpr double kYawIntegralGain_per_s2 = 120.0;
+constexpr double kYawIntegralGain_per_s2 = 300.0;
 constexpr double kReferenceLead_mps = 0.3;   // the reference waits for a vehicle that lags by this
 constexpr double kLeastLateralShare = 0.25;  // of the lateral acceleration, kept on any side slope
 

@@ -33,6 +33,8 @@ void learn_bias(const Vehicle& vehicle, const DriverView& view, double steer_rad
   };
   approach(bias.sideslip_rad, std::atan(view.course_mps.y() / view.course_mps.x()), kSideslipTime_s,
            kMaxSideslip_rad);
+  // The yaw rate of skid steering is held as asked: nothing is left to learn.
+  if (vehicle.steering.kind == SteeringKind::kSkid) return;
   const double driven_rad = steer_for(vehicle, view.yaw_rate_rad_per_s / view.course_mps.x());
   approach(bias.steer_rad, steer_rad - driven_rad, kSteerBiasTime_s, kMaxSteerBias_rad);
 }

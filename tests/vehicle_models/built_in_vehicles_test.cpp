@@ -32,8 +32,10 @@ TEST_P(BuiltInVehicle, AxleLoadsSumToTheWeightAndBalanceTheMoment) {
   const AxleLoads loads = static_axle_loads(vehicle);
   const double weight_n = kGravity_mps2 * total_mass_kg(vehicle);
   EXPECT_NEAR(loads.rear_n + loads.front_n, weight_n, 1e-9 * weight_n);
-  const double moment_nm = kGravity_mps2 * (vehicle.body.mass_kg * vehicle.body.com_B.x() +
-                                            vehicle.implement.mass_kg * vehicle.implement.x_B_m);
+  const double rear_x_m = vehicle.rear.x_B_m;
+  const double moment_nm =
+      kGravity_mps2 * (vehicle.body.mass_kg * (vehicle.body.com_B.x() - rear_x_m) +
+                       vehicle.implement.mass_kg * (vehicle.implement.x_B_m - rear_x_m));
   EXPECT_NEAR(loads.front_n * wheelbase_m(vehicle), moment_nm, 1e-9 * weight_n);
   // A mounted implement must leave a fifth of the weight on the steered axle (common rule).
   EXPECT_GT(loads.front_n, 0.2 * weight_n);

@@ -120,7 +120,10 @@ TEST(RunningGear, ReadsAPivotedAxleAndFourWheelAndSkidSteering) {
   EXPECT_NEAR(min_turning_radius_m(crawling), 2.877, 1e-3);
   const Vehicle skidding = load_vehicle("skid_steer_robot");
   EXPECT_EQ(skidding.steering.kind, SteeringKind::kSkid);
-  EXPECT_EQ(skidding.steering.max_angle_rad, 0.0);
+  // Frame B's origin is the middle between the axles, and the virtual wheel's limit its radius.
+  EXPECT_EQ(skidding.rear.x_B_m, -skidding.front.x_B_m);
+  EXPECT_DOUBLE_EQ(curvature_of(skidding, skidding.steering.max_angle_rad),
+                   1.0 / skidding.steering.turning_radius_m);
   EXPECT_EQ(min_turning_radius_m(skidding), skidding.steering.turning_radius_m);
 }
 

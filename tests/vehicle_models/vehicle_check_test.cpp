@@ -113,6 +113,11 @@ TEST(VehicleCheck, RefusesSteeringWithoutItsNumbers) {
       v.steering.kind = SteeringKind::kSkid;
       v.steering.max_yaw_rate_rad_per_s = yaw_rate;
       v.steering.turning_radius_m = radius_m;
+      const double shift_m = 0.5 * v.front.x_B_m;  // to the middle between the axles
+      v.rear.x_B_m = -shift_m;
+      v.front.x_B_m = shift_m;
+      v.body.com_B.x() -= shift_m;
+      v.implement.x_B_m -= shift_m;
       v.front.driven = true;
       v.front.radius_m = v.rear.radius_m;
       v.drivetrain.motor_per_wheel = per_wheel;

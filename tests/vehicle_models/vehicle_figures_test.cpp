@@ -86,6 +86,8 @@ TEST(VehicleFigures, TurnsOnTheRadiusOfItsSteering) {
   Vehicle vehicle = round_vehicle();
   EXPECT_NEAR(min_turning_radius_m(vehicle), 4.0, kExact);
   vehicle.steering.kind = SteeringKind::kFourWheel;
+  vehicle.front.x_B_m *= 0.5;  // B's origin is the middle between the axles
+  vehicle.rear.x_B_m = -vehicle.front.x_B_m;
   EXPECT_NEAR(min_turning_radius_m(vehicle), 2.0, kExact);
   vehicle.steering.kind = SteeringKind::kSkid;
   vehicle.steering.turning_radius_m = 0.7;
