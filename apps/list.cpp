@@ -110,13 +110,13 @@ std::string entry_text(const Json& entry) {
                        entry["source"].get<std::string>());
   }
   return fmt::format(
-      "{:<24} {}\n    {:.0f} kg with implement, {:.1f} kW, {:.0f} Ah, {} {:.4g} m wide, {} steering, "
+      "{:<24} {}\n    {:.0f} kg with implement, {:.1f} kW, {:.0f} Ah, {} {:.4g} m wide, {} "
+      "steering, "
       "turns on {:.2f} m\n",
       name, entry["what"].get<std::string>(), entry["mass_kg"].get<double>(),
       entry["motor_power_w"].get<double>() / 1000.0, entry["battery_ah"].get<double>(),
       entry["implement"].get<std::string>(), entry["working_width_m"].get<double>(),
-      entry["steering"].get<std::string>(),
-      entry["turning_radius_m"].get<double>());
+      entry["steering"].get<std::string>(), entry["turning_radius_m"].get<double>());
 }
 
 struct Listing {

@@ -27,17 +27,6 @@ struct CheckOptions {
   CommonOptions common;
 };
 
-const Soil& find_soil(const std::string& name) {
-  std::vector<std::string> known;
-  for (const Soil& soil : soils()) {
-    if (soil.name == name) return soil;
-    known.emplace_back(soil.name);
-  }
-  throw InputError("--soil", "", name,
-                   fmt::format("unknown soil; did you mean '{}'? (known: {})",
-                               nearest_name(name, known), fmt::join(known, ", ")));
-}
-
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
 // Every figure once: its key in the JSON, its value, and how people read it.
@@ -95,9 +84,9 @@ void add_limits(const Vehicle& vehicle, const Soil& soil, Figures& out) {
       fmt::format("{:.2f} m{}", min_turning_radius_m(vehicle), pivots ? ", or on the spot" : ""));
   out.add("top_speed_mps", top_speed_mps(vehicle), "Top speed",
           fmt::format("{:.2f} m/s", top_speed_mps(vehicle)));
-  const double by_motor = max_grade(vehicle, soil.rolling_resistance);
-  const double by_grip =
-      max_grade_by_grip(vehicle, soil.friction - soil.rolling_resistance, soil.rolling_resistance);
+  const SoilFigures on_soil = figures_on(vehicle, soil);
+  const double by_motor = max_grade(vehicle, on_soil.rolling_resistance);
+  const double by_grip = max_grade_by_grip(vehicle, on_soil.net_pull, on_soil.rolling_resistance);
   out.add("gradeability", std::min(by_motor, by_grip), "Climbs",
           fmt::format("{:.0f} % ({})", 100.0 * std::min(by_motor, by_grip),
                       by_motor < by_grip ? "motor's limit" : "grip's limit"));
@@ -107,7 +96,8 @@ void add_limits(const Vehicle& vehicle, const Soil& soil, Figures& out) {
 
 void add_endurance(const Vehicle& vehicle, const Soil& soil, bool working, Figures& out) {
   const double speed_mps = vehicle.driver.work_speed_mps;
-  const Endurance figure = endurance(vehicle, speed_mps, soil.rolling_resistance, working);
+  const Endurance figure =
+      endurance(vehicle, speed_mps, figures_on(vehicle, soil).rolling_resistance, working);
   const std::string prefix = working ? "working_" : "raised_";
   out.add(prefix + "power_w", figure.power_w, "", "");
   out.add(prefix + "time_h", figure.time_h, "", "");
@@ -134,7 +124,7 @@ Figures figures_of(const Vehicle& vehicle, const Soil& soil) {
 }
 
 int check(const CheckOptions& options) {
-  const Soil& soil = find_soil(options.soil);
+  const Soil& soil = soil_named(options.soil, "--soil", "");
   const PictureSize size = picture_size(options.common);
   const Vehicle vehicle = load_vehicle(options.vehicle);
   const Figures figures = figures_of(vehicle, soil);

@@ -179,14 +179,7 @@ void read_terrain_source(const YamlSection& top, const fs::path& folder, Scenari
 
 std::string read_soil(const YamlSection& top, const std::string& default_name) {
   const std::string name = read_word(top, "soil").value_or(default_name);
-  std::vector<std::string> known;
-  for (const Soil& soil : soils()) known.emplace_back(soil.name);
-  if (std::find(known.begin(), known.end(), name) == known.end()) {
-    throw InputError(top.source, place_of(top, "soil"), name,
-                     fmt::format("unknown soil; did you mean '{}'? (known: {})",
-                                 nearest_name(name, known), fmt::join(known, ", ")));
-  }
-  return name;
+  return soil_named(name, top.source, place_of(top, "soil")).name;
 }
 
 // The vehicle's name; a folder (told by its slash) starts at the scenario's own.

@@ -14,7 +14,7 @@ WheelDefinition define_wheel(const Axle& axle, bool left, SteeringKind steering,
       Eigen::Vector3d(axle.x_B_m, left ? half_track_m : -half_track_m, axle.radius_m) - mass.com_B;
   wheel.radius_m = axle.radius_m;
   wheel.free_radius_m = axle.radius_m + static_load_n / axle.vertical_stiffness_n_per_m;
-  wheel.tyre = {axle.width_m, 2.0 * wheel.free_radius_m, axle.section_height_m};
+  wheel.tyre = tyre_size(axle, static_load_n);
   wheel.inertia_kg_m2 = axle.wheel_inertia_kg_m2;
   wheel.stiffness_n_per_m = axle.vertical_stiffness_n_per_m;
   wheel.damping_n_s_per_m = axle.vertical_damping_n_s_per_m;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "terrains/input_error.h"
+
 namespace headland {
 namespace {
 
@@ -42,6 +44,16 @@ const Soil* find_soil(std::string_view name) {
   const auto known = soils();
   const auto found = std::ranges::find(known, name, &Soil::name);
   return found == known.end() ? nullptr : &*found;
+}
+
+const Soil& soil_named(const std::string& name, const std::string& source,
+                       const std::string& place) {
+  if (const Soil* known = find_soil(name)) return *known;
+  std::vector<std::string> names;
+  for (const Soil& soil : soils()) names.push_back(soil.name);
+  throw InputError(source, place, name,
+                   fmt::format("unknown soil; did you mean '{}'? (known: {})",
+                               nearest_name(name, names), fmt::join(names, ", ")));
 }
 
 std::string law_text(const Soil& soil) {

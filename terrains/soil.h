@@ -42,6 +42,10 @@ std::span<const Soil> soils();
 // The known soil of that name, or null.
 const Soil* find_soil(std::string_view name);
 
+// Likewise, but throws InputError(source, place) with the nearest known name.
+const Soil& soil_named(const std::string& name, const std::string& source,
+                       const std::string& place);
+
 // The law with its numbers in words: "Brixius, cone index 1200 kPa".
 std::string law_text(const Soil& soil);
 

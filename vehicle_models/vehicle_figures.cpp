@@ -57,6 +57,31 @@ AxleLoads static_axle_loads(const Vehicle& vehicle) {
   return {(1.0 - front_share) * weight_n, front_share * weight_n};
 }
 
+TyreSize tyre_size(const Axle& axle, double load_n) {
+  const double sag_m = load_n / axle.vertical_stiffness_n_per_m;
+  return {axle.width_m, 2.0 * (axle.radius_m + sag_m), axle.section_height_m};
+}
+
+SoilFigures figures_on(const Vehicle& vehicle, const Soil& soil) {
+  const AxleLoads loads = static_axle_loads(vehicle);
+  SoilFigures figures;
+  double driven_n = 0.0;
+  const auto add = [&](const Axle& axle, double axle_load_n) {
+    const double load_n = 0.5 * axle_load_n;
+    const Traction traction = traction_on(soil, tyre_size(axle, load_n), load_n,
+                                          load_n / axle.vertical_stiffness_n_per_m);
+    figures.rolling_resistance += axle_load_n * rolling_resistance(traction);
+    if (!axle.driven) return;
+    figures.net_pull += axle_load_n * best_pull(traction).net_pull;
+    driven_n += axle_load_n;
+  };
+  add(vehicle.rear, loads.rear_n);
+  add(vehicle.front, loads.front_n);
+  figures.rolling_resistance /= loads.rear_n + loads.front_n;
+  if (driven_n > 0.0) figures.net_pull /= driven_n;
+  return figures;
+}
+
 double side_stability_angle_rad(const Vehicle& vehicle) {
   const Eigen::Vector3d com_B = total_com_B(vehicle);
   const double front_share = front_load_share(vehicle);

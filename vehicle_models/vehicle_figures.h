@@ -5,6 +5,7 @@
 // not slip.
 #pragma once
 
+#include "terrains/traction.h"
 #include "vehicle_models/vehicle.h"
 
 namespace headland {
@@ -34,6 +35,16 @@ double nose_down_stability_angle_rad(const Vehicle& vehicle);
 
 // Speed [m/s] at the motor's top speed without slip.
 double top_speed_mps(const Vehicle& vehicle);
+
+// Size of an axle's tyres, unloaded, when each carries `load_n` at radius_m.
+TyreSize tyre_size(const Axle& axle, double load_n);
+
+// What the wheels find on a soil under their static loads, as fractions of the load.
+struct SoilFigures {
+  double net_pull = 0.0;            // largest, of the driven wheels
+  double rolling_resistance = 0.0;  // of all wheels
+};
+SoilFigures figures_on(const Vehicle& vehicle, const Soil& soil);
 
 // Largest force [N] of the driven wheels at `speed_mps` by the motor's torque and power limits,
 // whatever the soil can hold; 0 beyond the top speed.
