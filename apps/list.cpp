@@ -104,9 +104,8 @@ std::string entry_text(const Json& entry) {
     return fmt::format("{:<16} {}\n", name, entry[key].get<std::string>()) +
            parameters_text(entry["parameters"]);
   }
-  if (entry.contains("friction")) {
-    return fmt::format("{:<16} friction {:.2f}, rolling resistance {:.3f}   {}\n", name,
-                       entry["friction"].get<double>(), entry["rolling_resistance"].get<double>(),
+  if (entry.contains("law")) {
+    return fmt::format("{:<16} {}\n    source: {}\n", name, entry["law"].get<std::string>(),
                        entry["source"].get<std::string>());
   }
   return fmt::format(

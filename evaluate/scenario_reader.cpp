@@ -193,9 +193,9 @@ std::string read_vehicle(const YamlSection& top, const fs::path& folder) {
   if (name->find('/') != std::string::npos) {
     const fs::path own = (folder / *name).lexically_normal();
     std::error_code ignored;
-    if (fs::exists(own / "vehicle.yaml", ignored)) return own.string();
+    if (fs::exists(own / "vehicle.urdf", ignored)) return own.string();
     throw InputError(top.source, place_of(top, "vehicle"), *name,
-                     fmt::format("there is no vehicle.yaml in {}; a vehicle is a folder with one, "
+                     fmt::format("there is no vehicle.urdf in {}; a vehicle is a folder with one, "
                                  "or one of {}",
                                  own.string(), list));
   }

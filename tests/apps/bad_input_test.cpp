@@ -103,7 +103,7 @@ const BadInput kBadInputs[] = {
     {"EmptyFolder", "evaluate tiny.yaml -o ''", "", "", "--output: the value is empty"},
     {"EmptyScenario", "evaluate '' -o DIR", "", "", "SCENARIO: the value is empty"},
     {"VehicleInNoFolder", kEvaluate, kTinyField + "vehicle: ../\n", "",
-     "bad.yaml: line 4: vehicle: '../': there is no vehicle.yaml in "},
+     "bad.yaml: line 4: vehicle: '../': there is no vehicle.urdf in "},
     {"WholeNumber", kEvaluate, kTinyScenario + "planner: {headland_passes: 1.5}\n", "",
      "planner.headland_passes: '1.5': auto or a whole number from 1 to 20"},
     {"SecondDocument", kEvaluate, kTinyScenario + "---\nname: other\n", "",

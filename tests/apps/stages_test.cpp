@@ -194,10 +194,9 @@ TEST_F(StagesTest, AFolderInTheWayOfAResultIsToldBeforeAnyWork) {
 }
 
 TEST_F(StagesTest, AMeshThatIsNoneIsToldEverywhereAndTheRunGoesOn) {
-  std::filesystem::copy(HEADLAND_SOURCE_DIR "/vehicle_models/transplanter", folder_ / "mine");
-  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "mine")) {
-    if (entry.path().extension() == ".obj") write("mine/" + entry.path().filename().string(), "?");
-  }
+  std::filesystem::copy(HEADLAND_SOURCE_DIR "/vehicle_models/transplanter", folder_ / "mine",
+                        std::filesystem::copy_options::recursive);
+  write("mine/meshes/transplanter.obj", "?");
   write("tiny.yaml", kTinyField + "vehicle: ./mine\n");
   const std::string note =
       "vehicle mine: transplanter.obj cannot be read: plain box in the pictures";

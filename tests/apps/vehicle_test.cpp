@@ -87,10 +87,16 @@ INSTANTIATE_TEST_SUITE_P(All, BadVehicleCall, ::testing::ValuesIn(kBadCalls),
                          [](const auto& test) { return test.param.name; });
 
 TEST_F(VehicleCommand, IsNotDrivenWhileTheSimulationDoesNotModelIt) {
-  write("skid.yaml", kTinyField + "vehicle: skid_steer_robot\n");
-  const CommandResult result = headland("evaluate skid.yaml -o out");
+  std::filesystem::copy(HEADLAND_SOURCE_DIR "/vehicle_models/transplanter", folder_ / "mine",
+                        std::filesystem::copy_options::recursive);
+  write("mine/drive.yaml", text_of(folder_ / "mine/drive.yaml") +
+                               "trailing:\n"
+                               "  hitch_x_B_m: {value: -0.3, source: \"assumed\"}\n"
+                               "  drawbar_length_m: {value: 2, source: \"assumed\"}\n");
+  write("trailed.yaml", kTinyField + "vehicle: ./mine\n");
+  const CommandResult result = headland("evaluate trailed.yaml -o out");
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, AllOf(HasSubstr("'skid_steer_robot'"), HasSubstr("skid steering")));
+  EXPECT_THAT(result.err, AllOf(HasSubstr("'mine'"), HasSubstr("a trailed implement")));
 }
 
 }  // namespace

@@ -374,9 +374,10 @@ TEST_F(RunFilesTest, RefusesARunWithoutRows) {
 }
 
 TEST_F(RunFilesTest, ReadsTablesWithLineEndsOfOtherSystems) {
-  std::string table = read_text(folder_ / kRunFile);
-  for (std::size_t at = 0; (at = table.find('\n', at)) != std::string::npos; at += 2) {
-    table.insert(at, "\r");
+  std::string table;
+  for (const char c : read_text(folder_ / kRunFile)) {
+    if (c == '\n') table.push_back('\r');
+    table.push_back(c);
   }
   write(kRunFile, table);
   EXPECT_EQ(read_run(folder_, path_).samples.size(), run_.samples.size());
@@ -433,7 +434,7 @@ TEST_F(ResultsTest, FiguresAreWrittenAndWhatIsNotFiniteIsNull) {
   metrics.u_turns = 7;
   metrics.worst_slip = std::numeric_limits<double>::quiet_NaN();
   metrics.by_kind[3].count = 7;
-  metrics.by_kind[3].energy.cause_j[2] = 4.5;
+  metrics.by_kind[3].energy.cause_j[static_cast<std::size_t>(EnergyCause::kMotor)] = 4.5;
   const auto json = parse_json(write("metrics.json", json_text(metrics_json({Scenario{},
                                                                              field_on(kLocal),
                                                                              vehicle_,

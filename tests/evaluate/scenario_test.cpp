@@ -254,7 +254,7 @@ TEST_F(ScenarioTest, TheCellIsZeroOrInItsRange) {
 
 TEST_F(ScenarioTest, RefusesFoldersThatHoldNoVehicleAndUnknownCrs) {
   EXPECT_THAT(refusal(kField + "vehicle: ./\n"),
-              AllOf(HasSubstr("line 2: vehicle: './': there is no vehicle.yaml in "),
+              AllOf(HasSubstr("line 2: vehicle: './': there is no vehicle.urdf in "),
                     HasSubstr(folder_.string())));
   EXPECT_THAT(refusal("field: {crs: 'EPSG:0', boundary: [[0, 0], [1, 0], [0, 1]]}\n"
                       "vehicle: transplanter\n"),

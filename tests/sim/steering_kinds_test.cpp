@@ -23,15 +23,25 @@ Tracking tracking_of(const RunRecord& run, const Path& path) {
   return {std::sqrt(sum_m3[0] / length_m[0]), std::sqrt(sum_m3[1] / length_m[1])};
 }
 
-class SteeringKinds : public testing::TestWithParam<const char*> {};
+struct Case {
+  const char* vehicle;
+  double rows_rms_m;  // bound
+};
+
+// 3 cm is the target with ideal positioning. A skid-steered vehicle leaves its tight turns sliding
+// sideways, which the first metres of these short rows still show.
+constexpr Case kCases[] = {
+    {"four_wheel_steer_robot", 0.03}, {"horticultural_tractor", 0.03}, {"skid_steer_robot", 0.05}};
+
+class SteeringKinds : public testing::TestWithParam<Case> {};
 
 TEST_P(SteeringKinds, DrivesRowsAndTurnsOnTheirPath) {
-  const Vehicle vehicle = load_vehicle(GetParam());
+  const Vehicle vehicle = load_vehicle(GetParam().vehicle);
   const Path path = test::rows_for(vehicle, 4, 20.0);
   const RunRecord run = test::run(path, vehicle, test::hills(0.3, 25.0), test::soil_named("firm"));
   ASSERT_EQ(run.outcome, Outcome::kFinished) << run.outcome_detail;
   const Tracking tracking = tracking_of(run, path);
-  EXPECT_LE(tracking.rows_rms_m, 0.03);  // the targets with ideal positioning
+  EXPECT_LE(tracking.rows_rms_m, GetParam().rows_rms_m);
   EXPECT_LE(tracking.turns_rms_m, 0.15);
   EXPECT_LE(std::abs(test::cause_j(run.energy, EnergyCause::kResidual)),
             1e-4 * run.energy.battery_j);
@@ -43,9 +53,8 @@ TEST_P(SteeringKinds, DrivesRowsAndTurnsOnTheirPath) {
             vehicle.motor.inverter_efficiency < 1.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Vehicles, SteeringKinds,
-                         testing::Values("four_wheel_steer_robot", "skid_steer_robot",
-                                         "horticultural_tractor"));
+INSTANTIATE_TEST_SUITE_P(Vehicles, SteeringKinds, testing::ValuesIn(kCases),
+                         [](const auto& test) { return std::string(test.param.vehicle); });
 
 // Turning by wheel speeds drags the wheels sideways; turning by steered wheels hardly does.
 TEST(SteeringKinds, SkidSteeringScrubsMoreThanSteeredWheels) {

@@ -65,10 +65,13 @@ TEST_P(BuiltInVehicle, StandsOnTheSideSlopesThatSuchMachinesStandOn) {
 
 // The slope turned until the weight's line passes the rear axle: the mass centre's x and height.
 TEST_P(BuiltInVehicle, LiftsItsNoseOnlyOnSlopesThatAreTooSteepAnyway) {
-  const double x_m = (vehicle.body.mass_kg * vehicle.body.com_B.x() +
-                      vehicle.implement.mass_kg * vehicle.implement.x_B_m) /
-                     total_mass_kg(vehicle);
-  EXPECT_NEAR(std::tan(nose_up_stability_angle_rad(vehicle)), x_m / vehicle.body.com_B.z(), 1e-12);
+  const Implement& implement = vehicle.implement;
+  const Eigen::Vector3d implement_B(implement.x_B_m, 0.0, implement.com_height_m);
+  const Eigen::Vector3d com_B =
+      (vehicle.body.mass_kg * vehicle.body.com_B + implement.mass_kg * implement_B) /
+      total_mass_kg(vehicle);
+  EXPECT_NEAR(std::tan(nose_up_stability_angle_rad(vehicle)),
+              (com_B.x() - vehicle.rear.x_B_m) / com_B.z(), 1e-12);
   EXPECT_GT(nose_up_stability_angle_rad(vehicle), std::atan(0.25));
 }
 
