@@ -23,8 +23,6 @@ std::string row(std::string_view label, const std::string& value, const std::str
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
 
-double degrees(double angle_rad) { return angle_rad * 180.0 / std::numbers::pi; }
-
 std::string hectares(double area_m2) {
   return fmt::format("{:.3f} ha", area_m2 / kSquareMetresPerHa);
 }

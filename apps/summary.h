@@ -2,11 +2,14 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 
 #include "apps/stages.h"
 
 namespace headland {
+
+inline double degrees(double angle_rad) { return angle_rad * 180.0 / std::numbers::pi; }
 
 // A headline with what was evaluated, one aligned figure a line with its unit, where the energy
 // went, what each kind of movement cost, and the verdict with its reasons.

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "apps/commands.h"
+#include "apps/summary.h"
 #include "evaluate/atomic_file.h"
 #include "render/vehicle_mesh.h"
 #include "render/vehicle_sheet.h"
@@ -26,8 +27,6 @@ struct CheckOptions {
   std::string picture;
   CommonOptions common;
 };
-
-double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
 // Every figure once: its key in the JSON, its value, and how people read it.
 struct Figure {

@@ -14,6 +14,8 @@ struct Pose {
   double heading_rad = 0.0;
 };
 
+inline Pose pose_of(const PathPoint& point) { return {point.p_W, point.heading_rad}; }
+
 // A piece of constant curvature (0: a line), driven in one gear. Curvature as in PathPoint:
 // positive with the wheels to the left, so that in reverse a positive one turns the body
 // clockwise.

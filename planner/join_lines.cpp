@@ -24,8 +24,6 @@ constexpr int kEntryPlaces = 16;  // on each ring
 // Headland widths are named in steps of this.
 constexpr double kWidthStep_m = 0.1;
 
-Pose pose_of(const PathPoint& point) { return {point.p_W, point.heading_rad}; }
-
 std::string place_name(const Field& field, const Eigen::Vector2d& p_W) {
   std::string place = fmt::format("({:.1f}, {:.1f}) m", p_W.x(), p_W.y());
   if (field.frame.georeferenced) {

@@ -16,8 +16,6 @@ namespace {
 constexpr double kCutStep_m = 0.5;
 constexpr double kLeastSwath_m = 2.0;  // what is left of a swath that lies in the headland whole
 
-Pose pose_of(const PathPoint& point) { return {point.p_W, point.heading_rad}; }
-
 // How far a swath may be cut at its begin and its end [m].
 struct Allowance {
   double begin_m = 0.0;

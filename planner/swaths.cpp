@@ -145,7 +145,7 @@ bool inside(const Intervals& section, double from_m, double to_m) {
   });
 }
 
-double direction_of(const Eigen::Vector2d& edge) {
+double line_direction_rad(const Eigen::Vector2d& edge) {
   const double angle_rad = std::atan2(edge.y(), edge.x());
   const double folded_rad = angle_rad < 0.0 ? angle_rad + pi : angle_rad;
   return folded_rad >= pi ? 0.0 : folded_rad;
@@ -156,7 +156,7 @@ std::vector<double> directions_to_try(const Field& field) {
   const auto add = [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Eigen::Vector2d edge = ring[(i + 1) % ring.size()] - ring[i];
-      edges.emplace_back(edge.norm(), direction_of(edge));
+      edges.emplace_back(edge.norm(), line_direction_rad(edge));
     }
   };
   add(field.boundary);

@@ -29,6 +29,7 @@ inline constexpr Rgba kPaper{252, 252, 250};
 inline constexpr Rgba kInk{28, 32, 36};
 inline constexpr Rgba kInkSoft{96, 102, 108};
 inline constexpr Rgba kRule{198, 202, 204};
+inline constexpr Rgba kSky{222, 232, 238};
 
 // Ground of the maps.
 inline constexpr Rgba kGround{231, 228, 219};

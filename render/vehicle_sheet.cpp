@@ -17,7 +17,6 @@ namespace {
 using Point2 = Eigen::Vector2d;
 using Point3 = Eigen::Vector3d;
 
-constexpr Rgba kSky{222, 232, 238};
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 // One window of the page.
@@ -26,7 +25,7 @@ struct View {
   double heading_rad = 0.0;  // the camera looks along it
 };
 
-Eigen::AlignedBox3d extent_of(const Mesh& mesh) {
+Eigen::AlignedBox3d bounds_of_mesh(const Mesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const MeshVertex& vertex : mesh.vertices) box.extend(vertex.p.cast<double>());
   return box;
@@ -51,7 +50,7 @@ void paint_window(const Mesh& mesh, const View& view, const Page& page, const Ty
   const Box& box = view.camera.view_px;
   look_through(box, page.size_px.y());
   Sheet sky;
-  fill_box(sky, box, kSky);
+  fill_box(sky, box, colours::kSky);
   paint(sky, typeface, page.size_px);
   look_through(box, page.size_px.y());
   glClear(GL_DEPTH_BUFFER_BIT);
@@ -133,7 +132,7 @@ Image draw_vehicle_sheet(const Vehicle& vehicle, std::span<const SheetFigure> fi
   RunSample standing;
   standing.implement_down = true;
   const VehicleMesh body = vehicle_mesh(vehicle, standing);
-  Eigen::AlignedBox3d box = extent_of(body.mesh);
+  Eigen::AlignedBox3d box = bounds_of_mesh(body.mesh);
   const double air_m = 0.06 * box.sizes().maxCoeff();
   box.extend(Point3(box.min().array() - air_m));
   box.extend(Point3(box.max().array() + air_m));

@@ -146,11 +146,10 @@ void paint_field(const PictureScene& scene, const Page& page, const FieldView& v
 void paint_close_up(const PictureScene& scene, const Page& page, const FieldView& view,
                     const SurfaceCoverage& coverage, const VehicleMesh& vehicle,
                     const RunSample& sample, const Typeface& typeface) {
-  constexpr Rgba kSky{222, 232, 238};
   const Box& box = view.camera.view_px;
   look_through(box, page.size_px.y());
   Sheet sky;
-  fill_box(sky, box, kSky);
+  fill_box(sky, box, colours::kSky);
   paint(sky, typeface, page.size_px);
   glClear(GL_DEPTH_BUFFER_BIT);
   look_through(box, page.size_px.y());
@@ -158,7 +157,7 @@ void paint_close_up(const PictureScene& scene, const Page& page, const FieldView
   look.fade_centre_W = sample.p_WB.head<2>().cast<float>();
   look.fade_from_m = 40.0F;
   look.fade_to_m = 150.0F;
-  look.fade = kSky;
+  look.fade = colours::kSky;
   const Mesh ground = relief_mesh(scene.terrain, view.relief, view.block, colours::kMeadow);
   paint_surface(upload(ground), clip_from_D(view.camera), coverage, look);
 

@@ -19,10 +19,10 @@ using ::testing::UnorderedElementsAre;
 
 class StagesTest : public CommandTest {};
 
-const std::string kEvaluate = "evaluate tiny.yaml --size 320x240 -o ";
+const std::string kEvaluateTiny = "evaluate tiny.yaml --size 320x240 -o ";
 
 TEST_F(StagesTest, EvaluateFillsTheFolderAndTellsInBothForms) {
-  const CommandResult result = headland(kEvaluate + "DIR --json");
+  const CommandResult result = headland(kEvaluateTiny + "DIR --json");
   EXPECT_LE(result.exit_code, 1) << result.err;
   EXPECT_EQ(result.err, "");
   EXPECT_THAT(files_in("DIR"),
@@ -37,8 +37,8 @@ TEST_F(StagesTest, EvaluateFillsTheFolderAndTellsInBothForms) {
 }
 
 TEST_F(StagesTest, SameSeedSameBytesAndStagesGiveTheBytesOfTheWhole) {
-  ASSERT_LE(headland(kEvaluate + "A -q").exit_code, 1);
-  ASSERT_LE(headland(kEvaluate + "B -q").exit_code, 1);
+  ASSERT_LE(headland(kEvaluateTiny + "A -q").exit_code, 1);
+  ASSERT_LE(headland(kEvaluateTiny + "B -q").exit_code, 1);
   ASSERT_EQ(headland("plan tiny.yaml -o C -q").exit_code, 0);
   ASSERT_LE(headland("drive C -q").exit_code, 1);
   ASSERT_EQ(headland("render C --size 320x240 -q").exit_code, 0);
@@ -52,7 +52,7 @@ TEST_F(StagesTest, SameSeedSameBytesAndStagesGiveTheBytesOfTheWhole) {
 
 TEST_F(StagesTest, AFailingVerdictExitsWith1) {
   write("tiny.yaml", kTinyScenario + "verdict: {reserve_soc_min: {warn: 1, fail: 1}}\n");
-  const CommandResult result = headland(kEvaluate + "DIR");
+  const CommandResult result = headland(kEvaluateTiny + "DIR");
   EXPECT_EQ(result.exit_code, 1) << result.err;
   EXPECT_THAT(result.out, HasSubstr("verdict: FAIL"));
 }
@@ -140,7 +140,7 @@ TEST_F(StagesTest, CtrlCWhilePlanningWritesNothing) {
 }
 
 TEST_F(StagesTest, CtrlCWhileDrawingEndsAtOnceAndLeavesNoPicture) {
-  ASSERT_LE(headland(kEvaluate + "DIR -q").exit_code, 1);
+  ASSERT_LE(headland(kEvaluateTiny + "DIR -q").exit_code, 1);
   const std::string before = text_of(folder_ / "DIR" / "field.png");
   // Pictures this large take many times as long.
   constexpr useconds_t kIntoTheDrawing_us = 500000;
@@ -186,7 +186,7 @@ TEST_F(StagesTest, CtrlCDropsTheRunAndKeepsThePlan) {
 
 TEST_F(StagesTest, AFolderInTheWayOfAResultIsToldBeforeAnyWork) {
   std::filesystem::create_directories(folder_ / "DIR" / "metrics.json");
-  const CommandResult result = headland(kEvaluate + "DIR");
+  const CommandResult result = headland(kEvaluateTiny + "DIR");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.err,
             "headland: DIR/metrics.json: cannot be written: a folder of that name is in the way\n");
@@ -200,7 +200,7 @@ TEST_F(StagesTest, AMeshThatIsNoneIsToldEverywhereAndTheRunGoesOn) {
   write("tiny.yaml", kTinyField + "vehicle: ./mine\n");
   const std::string note =
       "vehicle mine: transplanter.obj cannot be read: plain box in the pictures";
-  const CommandResult result = headland(kEvaluate + "DIR");
+  const CommandResult result = headland(kEvaluateTiny + "DIR");
   EXPECT_LE(result.exit_code, 1);
   EXPECT_EQ(result.err, "headland: " + note + "\n");
   EXPECT_THAT(result.out, HasSubstr("note: " + note + "\n"));
@@ -216,7 +216,7 @@ TEST_F(StagesTest, ControlCharactersInANameDoNotReachTheTerminal) {
 }
 
 TEST_F(StagesTest, DamagedResultsAreRefusedWithoutNewOnes) {
-  ASSERT_LE(headland(kEvaluate + "DIR -q").exit_code, 1);
+  ASSERT_LE(headland(kEvaluateTiny + "DIR -q").exit_code, 1);
   const std::string run = text_of(folder_ / "DIR" / "run.csv");
   write("DIR/run.csv", run.substr(0, run.find('\n') + 1));
   const CommandResult render = headland("render DIR --size 320x240");

@@ -13,6 +13,7 @@
 #include "planner/arcs.h"
 #include "planner/connection.h"
 #include "planner/free_space.h"
+#include "tests/planner/field_shapes.h"
 #include "tests/planner/made_up_vehicle.h"
 
 namespace headland {
@@ -20,7 +21,6 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kJoint_m = 1e-6;
 constexpr double kJoint_rad = 1e-6;
 constexpr double kRounding = 1e-9;

@@ -1,6 +1,7 @@
 // Fields and machines that the planner's tests share.
 #pragma once
 
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "terrains/field.h"
 
 namespace headland {
+
+inline constexpr double kPi = std::numbers::pi;
 
 Ring rectangle_ring(double x0, double y0, double x1, double y1);
 Ring reversed(Ring ring);

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/planner/field_shapes.h"
 #include "tests/planner/made_up_vehicle.h"
 
 namespace headland {
 namespace {
 
 using Eigen::Vector2d;
-constexpr double kPi = std::numbers::pi;
 constexpr double kRounding_m = 1e-9;
 
 Field wavy_field_with_hole() {
@@ -102,14 +102,14 @@ RC_GTEST_PROP(FreeSpace, DiscAgreesWithExactDistance, ()) {
   RC_ASSERT(disc_fits(space, p_W, radius_m) == (exact_m > radius_m));
 }
 
-Field square() {
+Field square_field() {
   Field field;
   field.boundary = {{0.0, 0.0}, {50.0, 0.0}, {50.0, 50.0}, {0.0, 50.0}};
   return field;
 }
 
 TEST(FreeSpace, OverrunIsTheDepthOfTheFrontBeyondTheBoundary) {
-  const FreeSpace space = free_space(square(), hull());
+  const FreeSpace space = free_space(square_field(), hull());
   const Overrun worst = overrun(space, {{20.0, 50.0 - hull().front_m + 0.3}, kPi / 2.0});
   EXPECT_NEAR(worst.depth_m, 0.3, kRounding_m);
   EXPECT_EQ(worst.limit, Limit::kBoundary);
@@ -118,14 +118,14 @@ TEST(FreeSpace, OverrunIsTheDepthOfTheFrontBeyondTheBoundary) {
 }
 
 TEST(FreeSpace, FarOutsideIsAnOverrunToo) {
-  const FreeSpace space = free_space(square(), hull());
+  const FreeSpace space = free_space(square_field(), hull());
   const Pose pose{{-100.0, 20.0}, 0.0};
   EXPECT_FALSE(fits(space, pose, 0.0));
   EXPECT_NEAR(overrun(space, pose).depth_m, 100.0 + hull().rear_m, kRounding_m);
 }
 
 TEST(FreeSpace, RaisedImplementMayHangOverTheBoundaryButNotOverATree) {
-  Field field = square();
+  Field field = square_field();
   const double beside_m = hull().half_width_m + 0.5;  // under the 6 m bar, beside the hull
   const Pose along_edge{{beside_m, 25.0}, kPi / 2.0};
   EXPECT_TRUE(fits(free_space(field, hull()), along_edge, 0.1));
@@ -138,7 +138,7 @@ TEST(FreeSpace, RaisedImplementMayHangOverTheBoundaryButNotOverATree) {
 }
 
 TEST(FreeSpace, ThinHoleAcrossTheHullIsFound) {
-  Field field = square();
+  Field field = square_field();
   field.holes.push_back({{10.0, 25.0}, {10.0, 25.1}, {40.0, 25.1}, {40.0, 25.0}});
   const FreeSpace space = free_space(field, hull());
   const Pose over{{25.0, 24.5}, kPi / 2.0};
@@ -148,7 +148,7 @@ TEST(FreeSpace, ThinHoleAcrossTheHullIsFound) {
 }
 
 TEST(FreeSpace, RayMeetsTheFirstEdgeAhead) {
-  Field field = square();
+  Field field = square_field();
   field.holes.push_back({{20.0, 20.0}, {20.0, 30.0}, {30.0, 30.0}, {30.0, 20.0}});
   const FreeSpace space = free_space(field, hull());
   const EdgeAhead hole = edge_ahead(space, {5.0, 25.0}, 0.0);

@@ -18,9 +18,9 @@ using std::numbers::pi;
 // The filter shortens a corner by sigma^2 / (2 R^2) = 0.5 % of its arc, chords by less.
 constexpr double kRingLengthRatio = 2e-3;
 // Rings are rounded with 3 % more than the turning radius, see headland_rings.cpp.
-constexpr double kRounding = 1.03;
+constexpr double kCornerRounding = 1.03;
 
-PlanRequest tractor(const Field& field) { return tractor_request(field, "boustrophedon"); }
+PlanRequest ring_request(const Field& field) { return tractor_request(field, "boustrophedon"); }
 
 std::ptrdiff_t rings_of_round(const Headland& headland, int round) {
   return std::ranges::count(headland.rings, round, &HeadlandRing::round);
@@ -29,8 +29,8 @@ std::ptrdiff_t rings_of_round(const Headland& headland, int round) {
 TEST(HeadlandRings, TurningDepthFollowsItsFormula) {
   const Field square = field_of("square", rectangle_ring(0, 0, 150, 150));
   // The implement reaches further than the hull's corner: 1.6 + 5 + 4.5, and the clearance.
-  EXPECT_DOUBLE_EQ(turning_depth_m(tractor(square)), 11.1 + 0.1);
-  EXPECT_EQ(rounds_for_turning(tractor(square)), 2);
+  EXPECT_DOUBLE_EQ(turning_depth_m(ring_request(square)), 11.1 + 0.1);
+  EXPECT_EQ(rounds_for_turning(ring_request(square)), 2);
   // The hull's front corner reaches further: 0.9 + hypot(2.6 + 0.6, 2.3).
   const PlanRequest narrow = transplanter_request(square, "boustrophedon");
   EXPECT_DOUBLE_EQ(turning_depth_m(narrow), 0.9 + std::hypot(3.2, 2.3) + 0.1);
@@ -38,7 +38,7 @@ TEST(HeadlandRings, TurningDepthFollowsItsFormula) {
 }
 
 TEST(HeadlandRings, FirstRoundKeepsTheSwingingFrontCornerInside) {
-  PlanRequest request = tractor(field_of("square", rectangle_ring(0, 0, 150, 150)));
+  PlanRequest request = ring_request(field_of("square", rectangle_ring(0, 0, 150, 150)));
   EXPECT_DOUBLE_EQ(first_round(request).distance_m, 4.5);  // the implement reaches further
   EXPECT_DOUBLE_EQ(first_round(request).radius_m, request.turning_radius_m);
   request.working_width_m = 1.5;
@@ -54,13 +54,13 @@ TEST(HeadlandRings, FirstRoundKeepsTheSwingingFrontCornerInside) {
 
 TEST(HeadlandRings, SquareHasRoundedSquaresOneWidthApart) {
   const Headland headland =
-      make_headland(tractor(field_of("s", rectangle_ring(0, 0, 150, 150))), 2);
+      make_headland(ring_request(field_of("s", rectangle_ring(0, 0, 150, 150))), 2);
   ASSERT_EQ(headland.rings.size(), 2U);
   EXPECT_DOUBLE_EQ(headland.width_m, 18.0);
   EXPECT_NEAR(area_m2(headland.inner), 114.0 * 114.0, 1e-3);
   for (int round = 0; round < 2; ++round) {
     const double side_m = 150.0 - 9.0 - 18.0 * round;
-    const double radius_m = kRounding * 5.0;
+    const double radius_m = kCornerRounding * 5.0;
     const double expected_m = 4.0 * side_m - (8.0 - 2.0 * pi) * radius_m;
     EXPECT_NEAR(length_m(headland.rings[static_cast<std::size_t>(round)].line_W), expected_m,
                 kRingLengthRatio * expected_m);
@@ -70,7 +70,7 @@ TEST(HeadlandRings, SquareHasRoundedSquaresOneWidthApart) {
 TEST(HeadlandRings, RoundHoleIsGoneAroundAtConstantDistance) {
   Field field = field_of("holed", rectangle_ring(-100, -100, 100, 100));
   field.holes = {reversed(regular_ring({0, 0}, 20.0, 128))};
-  const Headland headland = make_headland(tractor(field), 1);
+  const Headland headland = make_headland(ring_request(field), 1);
   const auto ring = std::ranges::find(headland.rings, true, &HeadlandRing::around_hole);
   ASSERT_NE(ring, headland.rings.end());
   for (const Eigen::Vector2d& p_W : ring->line_W) {
@@ -87,7 +87,7 @@ TEST(HeadlandRings, TreeThinnerThanTheTurningCircleIsGoneAroundOnThatCircle) {
   ASSERT_NE(ring, headland.rings.end());
   for (const Eigen::Vector2d& p_W : ring->line_W) {
     EXPECT_GE(p_W.norm(), request.turning_radius_m);
-    EXPECT_LE(p_W.norm(), 1.1 * kRounding * request.turning_radius_m);
+    EXPECT_LE(p_W.norm(), 1.1 * kCornerRounding * request.turning_radius_m);
   }
 }
 
@@ -127,7 +127,7 @@ TEST(HeadlandRings, RoundsSplitWhereTheGroundIsNarrow) {
                                         {100, 63},
                                         {100, 100},
                                         {0, 100}});
-  const Headland headland = make_headland(tractor(field), 2);
+  const Headland headland = make_headland(ring_request(field), 2);
   EXPECT_EQ(rings_of_round(headland, 0), 1);
   EXPECT_EQ(rings_of_round(headland, 1), 2);
 }
@@ -135,14 +135,15 @@ TEST(HeadlandRings, RoundsSplitWhereTheGroundIsNarrow) {
 TEST(HeadlandRings, RoundsOfAHoleNearTheBoundaryBecomeOneAroundBoth) {
   Field field = field_of("near", rectangle_ring(0, 0, 150, 150));
   field.holes = {reversed(rectangle_ring(60, 115, 90, 130))};
-  const Headland headland = make_headland(tractor(field), 2);
+  const Headland headland = make_headland(ring_request(field), 2);
   EXPECT_EQ(rings_of_round(headland, 0), 2);
   EXPECT_EQ(rings_of_round(headland, 1), 1);
 }
 
 TEST(HeadlandRings, GroundNoRoundReachesIsLeftToSwaths) {
   // 24 m wide: one round takes 18 m, a second one would be 3 m from itself.
-  const Headland headland = make_headland(tractor(field_of("t", rectangle_ring(0, 0, 240, 24))), 2);
+  const Headland headland =
+      make_headland(ring_request(field_of("t", rectangle_ring(0, 0, 240, 24))), 2);
   EXPECT_EQ(headland.rings.size(), 1U);
   // 6 m by 222 m inside the first round, less what its arcs cut.
   EXPECT_NEAR(area_m2(headland.inner), 6.0 * 222.0, 0.01 * 6.0 * 222.0);
@@ -150,7 +151,7 @@ TEST(HeadlandRings, GroundNoRoundReachesIsLeftToSwaths) {
 
 TEST(HeadlandRings, TooNarrowForTheTurningRadiusSaysWhatWidthItTakes) {
   try {
-    make_headland(tractor(field_of("lane", rectangle_ring(0, 0, 240, 16))), 1);
+    make_headland(ring_request(field_of("lane", rectangle_ring(0, 0, 240, 16))), 1);
     FAIL() << "not refused";
   } catch (const PlanInfeasible& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("the turning radius fits nowhere"));

@@ -6,12 +6,12 @@
 
 #include "planner/connection.h"
 #include "planner/turns.h"
+#include "tests/planner/field_shapes.h"
 #include "tests/planner/made_up_vehicle.h"
 
 namespace headland {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kEnd = 1e-6;  // m and rad
 
 // A square field with a wall from the south side, 2 m thick, that leaves `gap_m` in the north.

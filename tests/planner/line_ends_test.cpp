@@ -11,7 +11,7 @@
 namespace headland {
 namespace {
 
-Field rectangle(double length_m, double width_m) {
+Field plain_field(double length_m, double width_m) {
   Field field;
   field.name = "rectangle";
   field.boundary = {{0, 0}, {length_m, 0}, {length_m, width_m}, {0, width_m}};
@@ -50,7 +50,7 @@ double longest_swath_m(const Path& path) {
 
 TEST(LineEnds, SwathsThatReachIntoTheHeadlandAreCutBackUntilTheyCanTurn) {
   const Vehicle vehicle = load_vehicle("transplanter");
-  const Path path = make_path(rectangle(60, 40), vehicle, two_swaths(1.5, 6.0), {});
+  const Path path = make_path(plain_field(60, 40), vehicle, two_swaths(1.5, 6.0), {});
   EXPECT_TRUE(path.violations.empty());
   ASSERT_EQ(path.cut_back_m.size(), 2U);
   for (const double cut_m : path.cut_back_m) {
@@ -62,7 +62,7 @@ TEST(LineEnds, SwathsThatReachIntoTheHeadlandAreCutBackUntilTheyCanTurn) {
 
 TEST(LineEnds, SwathsThatCanTurnStayAsPlanned) {
   const Vehicle vehicle = load_vehicle("transplanter");
-  const Path path = make_path(rectangle(60, 40), vehicle, two_swaths(8.0, 8.0), {});
+  const Path path = make_path(plain_field(60, 40), vehicle, two_swaths(8.0, 8.0), {});
   EXPECT_TRUE(path.cut_back_m.empty());
   EXPECT_NEAR(longest_swath_m(path), 44.0, 1e-6);
 }
@@ -72,7 +72,7 @@ TEST(LineEnds, SwathsThatCanTurnStayAsPlanned) {
 TEST(LineEnds, ANarrowHeadlandIsRefusedNotCutInto) {
   const Vehicle vehicle = load_vehicle("transplanter");
   try {
-    make_path(rectangle(60, 40), vehicle, two_swaths(1.5, 1.5), {});
+    make_path(plain_field(60, 40), vehicle, two_swaths(1.5, 1.5), {});
     FAIL() << "the hull cannot even reach the swath's end";
   } catch (const PlanInfeasible& refused) {
     EXPECT_NE(std::string(refused.what()).find("needs a headland of"), std::string::npos)
@@ -82,7 +82,7 @@ TEST(LineEnds, ANarrowHeadlandIsRefusedNotCutInto) {
 
 TEST(LineEnds, RoundsBeginWhereATurnReachesThem) {
   const Vehicle vehicle = load_vehicle("transplanter");
-  const Field field = rectangle(60, 40);
+  const Field field = plain_field(60, 40);
   Plan plan = two_swaths(8.0, 8.0);
   // A closed round that begins right behind the last swath's end, heading back: no turn fits there.
   const Plan whole = boustrophedon(field, vehicle);
@@ -105,7 +105,7 @@ TEST(LineEnds, PlainRectanglesBecomeDrivable) {
   for (const char* name : {"transplanter", "utility_tractor"}) {
     const Vehicle vehicle = load_vehicle(name);
     for (const double scale : {1.0, 1.5, 2.0}) {
-      const Field field = rectangle(100.0 * scale, 70.0 * scale);
+      const Field field = plain_field(100.0 * scale, 70.0 * scale);
       const Path path = make_path(field, vehicle, boustrophedon(field, vehicle), {});
       EXPECT_TRUE(path.violations.empty()) << name << ", scale " << scale;
     }

@@ -17,7 +17,7 @@ using std::numbers::pi;
 // Millimetres at the bands' edges (see kBandEdge in swaths.cpp).
 constexpr double kEdge_m = 2e-3;
 
-PolygonSet ground(const Ring& outer) { return {{PolygonPart{outer, {}}}}; }
+PolygonSet swath_ground(const Ring& outer) { return {{PolygonPart{outer, {}}}}; }
 
 SwathGrid lay(const PolygonSet& inner, double direction_rad, double width_m) {
   return lay_swaths(inner, inner, direction_rad, width_m, 0.0);
@@ -34,7 +34,7 @@ PolygonSet strips(const SwathGrid& grid, double width_m) {
 }
 
 TEST(Swaths, RectangleIsLaidOutEvenly) {
-  const SwathGrid grid = lay(ground(rectangle_ring(10, 20, 110, 60)), 0.0, 9.0);
+  const SwathGrid grid = lay(swath_ground(rectangle_ring(10, 20, 110, 60)), 0.0, 9.0);
   EXPECT_EQ(grid.lines, 5);  // 40 m / 9 m, rounded up
   EXPECT_NEAR(grid.spacing_m, 8.0, 1e-12);
   ASSERT_EQ(grid.swaths.size(), 5U);
@@ -43,13 +43,13 @@ TEST(Swaths, RectangleIsLaidOutEvenly) {
 }
 
 TEST(Swaths, WidthThatFitsExactlyNeedsNoExtraLine) {
-  EXPECT_EQ(lay(ground(rectangle_ring(0, 0, 100, 36)), 0.0, 9.0).lines, 4);
-  EXPECT_EQ(lay(ground(rectangle_ring(0, 0, 100, 36.1)), 0.0, 9.0).lines, 5);
+  EXPECT_EQ(lay(swath_ground(rectangle_ring(0, 0, 100, 36)), 0.0, 9.0).lines, 4);
+  EXPECT_EQ(lay(swath_ground(rectangle_ring(0, 0, 100, 36.1)), 0.0, 9.0).lines, 5);
 }
 
 TEST(Swaths, SlantedEndsAreReachedByTheWholeWidth) {
   // Ends at 45 degrees: a strip of 8 m reaches 8 m further than a line of no width would.
-  const SwathGrid grid = lay(ground({{0, 0}, {100, 0}, {140, 40}, {40, 40}}), 0.0, 8.0);
+  const SwathGrid grid = lay(swath_ground({{0, 0}, {100, 0}, {140, 40}, {40, 40}}), 0.0, 8.0);
   ASSERT_EQ(grid.swaths.size(), 5U);
   for (const Swath& swath : grid.swaths) {
     EXPECT_NEAR(swath.from_m, 8.0 * swath.line, kEdge_m);
@@ -58,7 +58,7 @@ TEST(Swaths, SlantedEndsAreReachedByTheWholeWidth) {
 }
 
 TEST(Swaths, HoleSplitsTheLinesThatMeetIt) {
-  PolygonSet inner = ground(rectangle_ring(0, 0, 100, 40));
+  PolygonSet inner = swath_ground(rectangle_ring(0, 0, 100, 40));
   inner.parts[0].holes = {reversed(rectangle_ring(40, 15, 60, 25))};
   const SwathGrid grid = lay(inner, 0.0, 10.0);
   // Lines at 5, 15, 25, 35: a hole from 15 to 25 takes half of both middle strips, so both keep
@@ -69,10 +69,10 @@ TEST(Swaths, HoleSplitsTheLinesThatMeetIt) {
 }
 
 TEST(Swaths, ShortGapsThatCanBeDrivenAreBridged) {
-  PolygonSet inner = ground(rectangle_ring(0, 0, 100, 10));
+  PolygonSet inner = swath_ground(rectangle_ring(0, 0, 100, 10));
   inner.parts.push_back(inner.parts[0]);
   for (Eigen::Vector2d& p_W : inner.parts[1].outer) p_W.x() += 105.0;
-  const PolygonSet open = ground(rectangle_ring(-5, -5, 210, 15));
+  const PolygonSet open = swath_ground(rectangle_ring(-5, -5, 210, 15));
   EXPECT_EQ(lay_swaths(inner, open, 0.0, 10.0, 6.0).swaths.size(), 1U);
   EXPECT_EQ(lay_swaths(inner, open, 0.0, 10.0, 4.0).swaths.size(), 2U);
   EXPECT_EQ(lay_swaths(inner, inner, 0.0, 10.0, 6.0).swaths.size(), 2U) << "not drivable";
@@ -81,9 +81,10 @@ TEST(Swaths, ShortGapsThatCanBeDrivenAreBridged) {
 TEST(Swaths, StripsCoverAnyGroundInAnyDirection) {
   rc::check("ground minus strips is empty", [] {
     const auto in_range = [](int low, int high) { return *rc::gen::inRange(low, high) / 10.0; };
-    PolygonSet inner = ground(regular_ring({0, 0}, in_range(200, 900), *rc::gen::inRange(3, 9)));
+    PolygonSet inner =
+        swath_ground(regular_ring({0, 0}, in_range(200, 900), *rc::gen::inRange(3, 9)));
     const double hole_m = in_range(10, 80);
-    inner = difference(inner, ground(regular_ring({in_range(-30, 30), 2.0}, hole_m, 5)));
+    inner = difference(inner, swath_ground(regular_ring({in_range(-30, 30), 2.0}, hole_m, 5)));
     const double width_m = in_range(15, 120);
     const double direction_rad = *rc::gen::inRange(0, 3140) / 1000.0;
     const SwathGrid grid = lay(inner, direction_rad, width_m);
@@ -124,7 +125,7 @@ TEST(Swaths, TurnLengthIsTheUTurnOrTheThreePointTurn) {
 
 TEST(Swaths, TooManyAreRefused) {
   try {
-    lay(ground(rectangle_ring(0, 0, 1000, 1000)), 0.0, 0.01);
+    lay(swath_ground(rectangle_ring(0, 0, 1000, 1000)), 0.0, 0.01);
     FAIL() << "not refused";
   } catch (const PlanInfeasible& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("0.01 m needs 100000 swaths"));

@@ -9,6 +9,7 @@
 #include "planner/drivable_path.h"
 #include "planner/track_pieces.h"
 #include "terrains/field_source.h"
+#include "tests/planner/field_shapes.h"
 #include "tests/planner/made_up_vehicle.h"
 
 namespace headland {
@@ -17,9 +18,8 @@ namespace {
 using Eigen::Vector2d;
 using testing::HasSubstr;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kTolerance_m = 0.3;
-constexpr double kRounding_m = 1e-9;
+constexpr double kTrackRounding_m = 1e-9;
 
 Field square(double side_m) {
   Field field;
@@ -41,7 +41,7 @@ void expect_continuous(const Path& path, double radius_m) {
       EXPECT_LT(std::abs(wrap_angle(segment.points.front().heading_rad - last->heading_rad)), 1e-6);
     }
     for (const PathPoint& point : segment.points) {
-      EXPECT_LE(std::abs(point.curvature_per_m), 1.0 / radius_m + kRounding_m);
+      EXPECT_LE(std::abs(point.curvature_per_m), 1.0 / radius_m + kTrackRounding_m);
     }
     last = &segment.points.back();
   }
@@ -58,7 +58,7 @@ TEST(TrackPieces, StraightTrackIsOnePieceWithinItsNoise) {
   ASSERT_EQ(found.pieces.size(), 1U);
   EXPECT_EQ(found.cut_corners, 0);
   EXPECT_GT(found.pieces[0].max_deviation_m, 0.0);
-  EXPECT_LE(found.pieces[0].max_deviation_m, 0.2 + kRounding_m) << "peak to peak of the noise";
+  EXPECT_LE(found.pieces[0].max_deviation_m, 0.2 + kTrackRounding_m) << "peak to peak of the noise";
   EXPECT_NEAR(length_m(found.pieces[0].arcs), 100.0, 0.01);
 }
 
@@ -73,7 +73,7 @@ TEST(TrackPieces, BendsWiderThanTheRadiusAreFollowedWithinTheTolerance) {
   ASSERT_EQ(found.pieces.size(), 1U);
   EXPECT_LE(found.pieces[0].max_deviation_m, kTolerance_m);
   for (const Arc& arc : found.pieces[0].arcs) {
-    EXPECT_LE(std::abs(arc.curvature_per_m), 1.0 / 4.0 + kRounding_m);
+    EXPECT_LE(std::abs(arc.curvature_per_m), 1.0 / 4.0 + kTrackRounding_m);
   }
 }
 
@@ -87,7 +87,7 @@ TEST(TrackPieces, BreaksCutAndShortPiecesAreDropped) {
   const TrackPieces found = track_pieces(track, kTolerance_m, 4.0, 0.0);
   EXPECT_EQ(found.pieces.size(), 2U);
   ASSERT_EQ(found.dropped_W.size(), 1U);
-  EXPECT_NEAR(found.dropped_W[0].y(), 15.0, kRounding_m);
+  EXPECT_NEAR(found.dropped_W[0].y(), 15.0, kTrackRounding_m);
 }
 
 TEST(MakeDrivable, RightAngleBecomesOneArcOfTheVehiclesRadius) {
@@ -139,8 +139,8 @@ TEST(MakeDrivable, ImplementFollowsTheTrack) {
   const Path path = make_drivable(square(100.0), vehicle, track, kTolerance_m, {}, nullptr);
   ASSERT_EQ(path.segments.size(), 1U);
   const double behind_m = -vehicle.implement.x_B_m;
-  EXPECT_NEAR(path.segments[0].points.front().p_W.y(), 20.0 + behind_m, kRounding_m);
-  EXPECT_NEAR(path.segments[0].points.back().p_W.y(), 80.0 + behind_m, kRounding_m);
+  EXPECT_NEAR(path.segments[0].points.front().p_W.y(), 20.0 + behind_m, kTrackRounding_m);
+  EXPECT_NEAR(path.segments[0].points.back().p_W.y(), 80.0 + behind_m, kTrackRounding_m);
 }
 
 TEST(MakeDrivable, TrackOutsideTheFieldIsRefusedOrRecorded) {
@@ -159,7 +159,8 @@ TEST(MakeDrivable, TrackOutsideTheFieldIsRefusedOrRecorded) {
   const Path path = make_drivable(square(100.0), vehicle, track, kTolerance_m, options, nullptr);
   ASSERT_EQ(path.violations.size(), 1U);
   const double front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
-  EXPECT_NEAR(path.violations[0].overrun_m, 5.0 - vehicle.implement.x_B_m + front_m, kRounding_m);
+  EXPECT_NEAR(path.violations[0].overrun_m, 5.0 - vehicle.implement.x_B_m + front_m,
+              kTrackRounding_m);
 }
 
 TEST(MakeDrivable, TrackOfScrapsIsRefused) {

@@ -9,12 +9,13 @@
 #include <numbers>
 #include <string>
 
+#include "tests/planner/field_shapes.h"
+
 namespace headland {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kRounding_m = 1e-9;    // closed forms against closed forms
-constexpr double kEndTolerance = 1e-6;  // what turns.h promises, m and rad
+constexpr double kTurnRounding_m = 1e-9;  // closed forms against closed forms
+constexpr double kEndTolerance = 1e-6;    // what turns.h promises, m and rad
 
 // Two swath ends side by side, the second `spacing_m` to the right and driven back.
 struct Neighbours {
@@ -61,7 +62,7 @@ TEST(Turns, UTurnIsTwoQuarterCirclesAndALine) {
   const auto found = turns(ends.from, ends.to, radius_m);
   const Turn* turn = find_word(found, "RSR");
   ASSERT_NE(turn, nullptr);
-  EXPECT_NEAR(length_m(turn->arcs), spacing_m + (kPi - 2.0) * radius_m, kRounding_m);
+  EXPECT_NEAR(length_m(turn->arcs), spacing_m + (kPi - 2.0) * radius_m, kTurnRounding_m);
   EXPECT_EQ(word_of(found.front().arcs), "RSR") << "the cheapest of all";
 }
 
@@ -73,7 +74,8 @@ TEST(Turns, OmegaTurnHasItsClosedFormLengthAndDepth) {
   const Turn* turn = find_word(found, "LRL");
   ASSERT_NE(turn, nullptr);
   const double sine = (2.0 * radius_m + spacing_m) / (4.0 * radius_m);
-  EXPECT_NEAR(length_m(turn->arcs), radius_m * (3.0 * kPi - 4.0 * std::asin(sine)), kRounding_m);
+  EXPECT_NEAR(length_m(turn->arcs), radius_m * (3.0 * kPi - 4.0 * std::asin(sine)),
+              kTurnRounding_m);
   const double sampling_m = 1e-6;  // sagitta of 1 mm steps on this radius
   EXPECT_NEAR(highest_y_m(ends.from, *turn),
               radius_m + 2.0 * radius_m *
@@ -89,13 +91,13 @@ TEST(Turns, FishtailHasItsClosedFormLengthAndTwoCusps) {
   const auto found = turns(ends.from, ends.to, radius_m);
   const Turn* turn = find_word(found, "RS'R");
   ASSERT_NE(turn, nullptr);
-  EXPECT_NEAR(length_m(turn->arcs), kPi * radius_m + 2.0 * radius_m - spacing_m, kRounding_m);
-  EXPECT_NEAR(reverse_length_m(turn->arcs), 2.0 * radius_m - spacing_m, kRounding_m);
+  EXPECT_NEAR(length_m(turn->arcs), kPi * radius_m + 2.0 * radius_m - spacing_m, kTurnRounding_m);
+  EXPECT_NEAR(reverse_length_m(turn->arcs), 2.0 * radius_m - spacing_m, kTurnRounding_m);
   EXPECT_EQ(cusp_count(turn->arcs), 2);
   EXPECT_NEAR(turn->cost_m,
               length_m(turn->arcs) + (kReverseMetreCost - 1.0) * reverse_length_m(turn->arcs) +
                   2.0 * kCuspCost_m,
-              kRounding_m);
+              kTurnRounding_m);
   const auto segments = sample(ends.from, turn->arcs, kPathSpacing_m);
   ASSERT_EQ(segments.size(), 3U);
   EXPECT_EQ(segments[0].gear, Gear::kForward);
@@ -108,7 +110,7 @@ TEST(Turns, SameWayOnIsAStraightLine) {
   const Pose to = pose_along(from, {7.0, 0.0, Gear::kForward}, 7.0);
   const auto found = turns(from, to, 4.0);
   ASSERT_FALSE(found.empty());
-  EXPECT_NEAR(found.front().cost_m, 7.0, kRounding_m);
+  EXPECT_NEAR(found.front().cost_m, 7.0, kTurnRounding_m);
 }
 
 Pose random_pose() {
@@ -160,7 +162,7 @@ RC_GTEST_PROP(Turns, EveryTurnEndsWhereItShouldWithinTheRadius, ()) {
     RC_ASSERT(turn.cost_m >= cost_before);
     cost_before = turn.cost_m;
     for (const Arc& arc : turn.arcs) {
-      RC_ASSERT(std::abs(arc.curvature_per_m) < 1.0 / radius_m + kRounding_m);
+      RC_ASSERT(std::abs(arc.curvature_per_m) < 1.0 / radius_m + kTurnRounding_m);
     }
   }
 }
@@ -191,12 +193,12 @@ RC_GTEST_PROP(Turns, MirroredPosesGiveMirroredTurns, ()) {
 // reverse turns the body clockwise.
 TEST(Arcs, ReversingWithLeftSteerTurnsTheBodyClockwise) {
   const Pose end = pose_along({}, {1.0, 0.5, Gear::kReverse}, 1.0);
-  EXPECT_NEAR(end.heading_rad, -0.5, kRounding_m);
+  EXPECT_NEAR(end.heading_rad, -0.5, kTurnRounding_m);
   EXPECT_LT(end.p_W.x(), 0.0);
   EXPECT_GT(end.p_W.y(), 0.0);
   const Pose back = pose_along(end, {1.0, 0.5, Gear::kForward}, 1.0);
-  EXPECT_NEAR(back.p_W.norm(), 0.0, kRounding_m);
-  EXPECT_NEAR(back.heading_rad, 0.0, kRounding_m);
+  EXPECT_NEAR(back.p_W.norm(), 0.0, kTurnRounding_m);
+  EXPECT_NEAR(back.heading_rad, 0.0, kTurnRounding_m);
 }
 
 RC_GTEST_PROP(Arcs, SamplesObeyTheirOwnHeadingAndCurvature, ()) {
@@ -210,11 +212,11 @@ RC_GTEST_PROP(Arcs, SamplesObeyTheirOwnHeadingAndCurvature, ()) {
         const PathPoint& a = segment.points[i - 1];
         const PathPoint& b = segment.points[i];
         const Eigen::Vector2d chord = b.p_W - a.p_W;
-        RC_ASSERT(chord.norm() <= kPathSpacing_m + kRounding_m);
+        RC_ASSERT(chord.norm() <= kPathSpacing_m + kTurnRounding_m);
         // On an arc the chord lies along the mean heading, against it in reverse.
         const double turned_rad = wrap_angle(b.heading_rad - a.heading_rad);
         const double mean_rad = a.heading_rad + 0.5 * turned_rad;
-        RC_ASSERT(sign * chord.dot(direction_of(mean_rad)) >= chord.norm() - kRounding_m);
+        RC_ASSERT(sign * chord.dot(direction_of(mean_rad)) >= chord.norm() - kTurnRounding_m);
         const double arc_m = std::abs(turned_rad) < 1e-9
                                  ? chord.norm()
                                  : chord.norm() * 0.5 * turned_rad / std::sin(0.5 * turned_rad);

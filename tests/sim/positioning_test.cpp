@@ -7,18 +7,18 @@
 namespace headland {
 namespace {
 
-constexpr double kRate_hz = 100.0;
+constexpr double kReceiver_hz = 100.0;
 
 TEST(Positioning, IdealByDefault) {
   const Eigen::Vector2d p_W(3.0, -4.0);
-  Receiver receiver = make_receiver({}, kRate_hz, Eigen::Vector2d::Zero());
+  Receiver receiver = make_receiver({}, kReceiver_hz, Eigen::Vector2d::Zero());
   EXPECT_EQ(receive(receiver, p_W), p_W);
 }
 
 TEST(Positioning, ArrivesLateByItsLatency) {
   PositioningOptions options;
   options.latency_s = 0.05;
-  Receiver receiver = make_receiver(options, kRate_hz, Eigen::Vector2d::Zero());
+  Receiver receiver = make_receiver(options, kReceiver_hz, Eigen::Vector2d::Zero());
   for (int step = 0; step < 20; ++step) {
     const Eigen::Vector2d late = receive(receiver, {step, 0.0});
     EXPECT_EQ(late.x(), std::max(0, step - 5));
@@ -32,7 +32,7 @@ TEST(Positioning, NoiseIsGaussMarkov) {
   options.noise_m = 0.02;
   options.noise_time_s = 0.5;
   options.seed = 7;
-  Receiver receiver = make_receiver(options, kRate_hz, Eigen::Vector2d::Zero());
+  Receiver receiver = make_receiver(options, kReceiver_hz, Eigen::Vector2d::Zero());
   constexpr int kLag = 50;  // noise_time_s
   std::vector<double> x;
   double across = 0.0;
@@ -59,7 +59,7 @@ TEST(Positioning, SeedDecidesTheNoise) {
   options.noise_m = 0.02;
   const auto tenth = [&](std::uint64_t seed) {
     options.seed = seed;
-    Receiver receiver = make_receiver(options, kRate_hz, Eigen::Vector2d::Zero());
+    Receiver receiver = make_receiver(options, kReceiver_hz, Eigen::Vector2d::Zero());
     Eigen::Vector2d last;
     for (int i = 0; i < 10; ++i) last = receive(receiver, Eigen::Vector2d::Zero());
     return last;

@@ -7,22 +7,6 @@
 namespace headland {
 namespace {
 
-// Ends of rows and turns of a run, from the record.
-struct Tracking {
-  double rows_rms_m = 0.0;
-  double turns_rms_m = 0.0;
-};
-Tracking tracking_of(const RunRecord& run, const Path& path) {
-  double sum_m3[2] = {0.0, 0.0};
-  double length_m[2] = {0.0, 0.0};
-  for (const SegmentRecord& segment : run.segments) {
-    const int row = path.segments[static_cast<std::size_t>(segment.segment)].implement_down ? 0 : 1;
-    sum_m3[row] += segment.cross_track_sum_m3;
-    length_m[row] += segment.distance_m;
-  }
-  return {std::sqrt(sum_m3[0] / length_m[0]), std::sqrt(sum_m3[1] / length_m[1])};
-}
-
 struct Case {
   const char* vehicle;
   double rows_rms_m;  // bound
@@ -40,9 +24,9 @@ TEST_P(SteeringKinds, DrivesRowsAndTurnsOnTheirPath) {
   const Path path = test::rows_for(vehicle, 4, 20.0);
   const RunRecord run = test::run(path, vehicle, test::hills(0.3, 25.0), test::soil_named("firm"));
   ASSERT_EQ(run.outcome, Outcome::kFinished) << run.outcome_detail;
-  const Tracking tracking = tracking_of(run, path);
-  EXPECT_LE(tracking.rows_rms_m, GetParam().rows_rms_m);
-  EXPECT_LE(tracking.turns_rms_m, 0.15);
+  const test::TrackingError tracking = test::tracking_error(path, run);
+  EXPECT_LE(tracking.rows_m, GetParam().rows_rms_m);
+  EXPECT_LE(tracking.turns_m, 0.15);
   EXPECT_LE(std::abs(test::cause_j(run.energy, EnergyCause::kResidual)),
             1e-4 * run.energy.battery_j);
   for (const EnergyCause cause :

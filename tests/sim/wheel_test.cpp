@@ -10,7 +10,7 @@
 namespace headland {
 namespace {
 
-constexpr double kRounding = 1e-9;
+constexpr double kWheelRounding = 1e-9;
 
 TEST(Wheels, StaticLoadsCarryTheWeightByTheLeverRule) {
   const Vehicle vehicle = load_vehicle("utility_tractor");
@@ -22,10 +22,10 @@ TEST(Wheels, StaticLoadsCarryTheWeightByTheLeverRule) {
   double total_n = 0.0;
   for (const WheelContact& contact : contacts) total_n += contact.load_n;
   const double weight_n = machine.mass.mass_kg * kGravity_mps2;
-  EXPECT_NEAR(total_n, weight_n, kRounding * weight_n);
+  EXPECT_NEAR(total_n, weight_n, kWheelRounding * weight_n);
   const double front_n = contacts[2].load_n + contacts[3].load_n;
   EXPECT_NEAR(front_n, weight_n * machine.mass.com_B.x() / wheelbase_m(vehicle),
-              kRounding * weight_n);
+              kWheelRounding * weight_n);
 }
 
 // A contact point straight below the hub would let the normal force drive the vehicle uphill.
@@ -39,9 +39,10 @@ TEST(Wheels, NormalForceHasNoMomentAboutTheHub) {
        touch_ground(terrain, chassis, machine.wheels, curvature_of(vehicle, 0.1))) {
     ASSERT_GT(contact.load_n, 0.0);
     const Eigen::Vector3d force = contact.load_n * contact.normal;
-    EXPECT_NEAR((contact.normal_arm - contact.hub_arm).cross(force).norm(), 0.0, kRounding);
-    EXPECT_NEAR(contact.normal.dot(Eigen::Vector3d(-0.25, 0.15, 1.0).normalized()), 1.0, kRounding);
-    EXPECT_NEAR(contact.along.dot(contact.normal), 0.0, kRounding);
+    EXPECT_NEAR((contact.normal_arm - contact.hub_arm).cross(force).norm(), 0.0, kWheelRounding);
+    EXPECT_NEAR(contact.normal.dot(Eigen::Vector3d(-0.25, 0.15, 1.0).normalized()), 1.0,
+                kWheelRounding);
+    EXPECT_NEAR(contact.along.dot(contact.normal), 0.0, kWheelRounding);
   }
 }
 
@@ -73,7 +74,8 @@ TEST(Wheels, AckermannMeetsAtOneCentre) {
        {Eigen::Vector2d(2.0, 0.8), Eigen::Vector2d(2.0, -0.8), Eigen::Vector2d(-1.0, 0.8)}) {
     const double angle = wheel_angle_rad(kCurvature_per_m, p_B);
     const Eigen::Vector2d to_centre = Eigen::Vector2d(0.0, 1.0 / kCurvature_per_m) - p_B;
-    EXPECT_NEAR(to_centre.dot(Eigen::Vector2d(std::cos(angle), std::sin(angle))), 0.0, kRounding);
+    EXPECT_NEAR(to_centre.dot(Eigen::Vector2d(std::cos(angle), std::sin(angle))), 0.0,
+                kWheelRounding);
     EXPECT_EQ(wheel_angle_rad(-kCurvature_per_m, {p_B.x(), -p_B.y()}), -angle);
   }
   EXPECT_EQ(wheel_angle_rad(kCurvature_per_m, {0.0, 0.8}), 0.0) << "the axle that follows the path";

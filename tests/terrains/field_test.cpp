@@ -17,7 +17,7 @@ namespace {
 constexpr double kRounding_m2 = 1e-5;
 constexpr double kRounding_m = 1e-9;
 
-Ring square(double left, double bottom, double side) {
+Ring square_ring(double left, double bottom, double side) {
   return {
       {left, bottom}, {left + side, bottom}, {left + side, bottom + side}, {left, bottom + side}};
 }
@@ -29,8 +29,8 @@ Ring clockwise(Ring ring) {
 
 Field square_with_hole() {
   Field field;
-  field.boundary = square(0.0, 0.0, 100.0);
-  field.holes = {clockwise(square(40.0, 40.0, 20.0))};
+  field.boundary = square_ring(0.0, 0.0, 100.0);
+  field.holes = {clockwise(square_ring(40.0, 40.0, 20.0))};
   return field;
 }
 
@@ -46,7 +46,7 @@ bool wound_around(const Ring& ring, const Eigen::Vector2d& p_W) {
 }
 
 TEST(Field, AreaOfASquareWithAHole) {
-  EXPECT_DOUBLE_EQ(signed_area_m2(square(0.0, 0.0, 100.0)), 1e4);
+  EXPECT_DOUBLE_EQ(signed_area_m2(square_ring(0.0, 0.0, 100.0)), 1e4);
   EXPECT_DOUBLE_EQ(field_area_m2(square_with_hole()), 1e4 - 400.0);
 }
 

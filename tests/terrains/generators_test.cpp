@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double kRounding_m = 1e-9;
+constexpr double kSummation_m = 1e-9;
 
 Field square_field(double side_m) {
   Field field;
@@ -47,7 +47,7 @@ TEST(Generators, TerrainCoversTheFieldAndItsMargin) {
     for (const Eigen::Vector2d& p_W : field.boundary) {
       for (double side : {-1.0, 1.0}) {
         const Eigen::Vector2d far_W =
-            p_W + side * (source.margin_m - kRounding_m) * Eigen::Vector2d::Ones();
+            p_W + side * (source.margin_m - kSummation_m) * Eigen::Vector2d::Ones();
         RC_ASSERT(surface_at(terrain, far_W.x(), far_W.y()).inside);
       }
     }
@@ -72,9 +72,9 @@ TEST(Generators, RampIsAPlaneOfTheStatedSlope) {
       read_terrain(generated("ramp", {{"slope_percent", 20.0}, {"direction_deg", 30.0}}),
                    square_field(50.0), "test");
   const Eigen::Vector2d gradient = surface_at(terrain, 13.3, 27.7).gradient;
-  EXPECT_NEAR(gradient.norm(), 0.2, kRounding_m);
-  EXPECT_NEAR(std::atan2(gradient.y(), gradient.x()), std::numbers::pi / 6.0, kRounding_m);
-  EXPECT_NEAR(surface_at(terrain, 25.0, 25.0).height_m, 0.0, kRounding_m);
+  EXPECT_NEAR(gradient.norm(), 0.2, kSummation_m);
+  EXPECT_NEAR(std::atan2(gradient.y(), gradient.x()), std::numbers::pi / 6.0, kSummation_m);
+  EXPECT_NEAR(surface_at(terrain, 25.0, 25.0).height_m, 0.0, kSummation_m);
 }
 
 TEST(Generators, RollingHillsHaveTheRmsOfOneSine) {
@@ -125,15 +125,15 @@ TEST(Generators, HillsStayWhereTheyAreWhenTheCellsChange) {
   source.cell_m = 2.0;
   const Heightfield coarse = read_terrain(source, square_field(60.0), "test");
   EXPECT_NEAR(surface_at(fine, 20.0, 30.0).height_m, surface_at(coarse, 20.0, 30.0).height_m,
-              kRounding_m);
+              kSummation_m);
 }
 
 TEST(Generators, BowlHasItsDepthAndGreatestSlope) {
   TerrainSource source = generated("bowl", {{"depth_m", 6.0}, {"radius_m", 80.0}});
   source.cell_m = 0.5;
   const Heightfield terrain = read_terrain(source, square_field(200.0), "test");
-  EXPECT_NEAR(surface_at(terrain, 100.0, 100.0).height_m, 0.0, kRounding_m);
-  EXPECT_NEAR(surface_at(terrain, 5.0, 100.0).height_m, 6.0, kRounding_m);
+  EXPECT_NEAR(surface_at(terrain, 100.0, 100.0).height_m, 0.0, kSummation_m);
+  EXPECT_NEAR(surface_at(terrain, 5.0, 100.0).height_m, 6.0, kSummation_m);
   // d/dr of depth (1 - cos(pi r / R)) / 2 is greatest at R / 2: pi depth / (2 R). Cells of 0.5 m
   // err by their square times the third derivative, 1e-4 of it.
   EXPECT_NEAR(surface_at(terrain, 140.1, 100.1).gradient.x(), std::numbers::pi * 6.0 / (2.0 * 80.0),
@@ -145,11 +145,11 @@ TEST(Generators, TerracesAreLevelAndRiseByTheirStep) {
       "terraces", {{"step_m", 1.5}, {"tread_m", 20.0}, {"riser_m", 4.0}, {"direction_deg", 0.0}});
   source.cell_m = 0.5;
   const Heightfield terrain = read_terrain(source, square_field(100.0), "test");
-  EXPECT_NEAR(surface_at(terrain, 50.0, 10.0).height_m, 0.0, kRounding_m);
-  EXPECT_NEAR(surface_at(terrain, 50.0 + 24.0, 10.0).height_m, 1.5, kRounding_m);
-  EXPECT_NEAR(surface_at(terrain, 50.0 - 24.0, 10.0).height_m, -1.5, kRounding_m);
-  EXPECT_NEAR(surface_at(terrain, 55.1, 10.1).gradient.norm(), 0.0, kRounding_m);
-  EXPECT_NEAR(surface_at(terrain, 62.1, 10.1).gradient.x(), 1.5 / 4.0, kRounding_m);
+  EXPECT_NEAR(surface_at(terrain, 50.0, 10.0).height_m, 0.0, kSummation_m);
+  EXPECT_NEAR(surface_at(terrain, 50.0 + 24.0, 10.0).height_m, 1.5, kSummation_m);
+  EXPECT_NEAR(surface_at(terrain, 50.0 - 24.0, 10.0).height_m, -1.5, kSummation_m);
+  EXPECT_NEAR(surface_at(terrain, 55.1, 10.1).gradient.norm(), 0.0, kSummation_m);
+  EXPECT_NEAR(surface_at(terrain, 62.1, 10.1).gradient.x(), 1.5 / 4.0, kSummation_m);
 }
 
 TEST(Generators, UnknownOneIsRefusedWithTheNearest) {

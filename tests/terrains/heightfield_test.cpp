@@ -11,7 +11,7 @@ namespace headland {
 namespace {
 
 // Heights are some tens of metres: rounding is some 1e-14 m, steps of 1e-7 m cost 1e-7 relative.
-constexpr double kRounding_m = 1e-9;
+constexpr double kInterpolation_m = 1e-9;
 
 Heightfield any_terrain() {
   Heightfield terrain;
@@ -122,8 +122,8 @@ TEST(Surface, PlaneIsExactEverywhere) {
     const Eigen::Vector2d p_W =
         place(terrain, any_number(0.0, terrain.columns - 1.0), any_number(0.0, terrain.rows - 1.0));
     const SurfacePoint point = surface_at(terrain, p_W.x(), p_W.y());
-    RC_ASSERT(std::abs(point.height_m - (10.0 + 0.2 * p_W.x() - 0.1 * p_W.y())) < kRounding_m);
-    RC_ASSERT((point.gradient - Eigen::Vector2d(0.2, -0.1)).norm() < kRounding_m);
+    RC_ASSERT(std::abs(point.height_m - (10.0 + 0.2 * p_W.x() - 0.1 * p_W.y())) < kInterpolation_m);
+    RC_ASSERT((point.gradient - Eigen::Vector2d(0.2, -0.1)).norm() < kInterpolation_m);
   }));
 }
 

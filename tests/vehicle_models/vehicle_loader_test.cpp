@@ -21,12 +21,12 @@ using testing::Contains;
 using testing::HasSubstr;
 
 // What the loader says about the plain vehicle with one change in its drive.yaml.
-std::string refusal(const std::string& from, const std::string& to) {
+std::string load_refusal(const std::string& from, const std::string& to) {
   return refusal_of("drive.yaml", from, to);
 }
 
 TEST(VehicleLoader, TakesThePlainVehicleSoThatEveryRefusalBelowIsOfItsOneChange) {
-  EXPECT_EQ(refusal("gear_ratio", "gear_ratio"), "");
+  EXPECT_EQ(load_refusal("gear_ratio", "gear_ratio"), "");
 }
 
 TEST(VehicleLoader, ReadsEveryKindOfKey) {
@@ -88,43 +88,43 @@ TEST(VehicleLoader, RefusesAFolderWithoutAVehicleFile) {
 }
 
 TEST(VehicleLoader, RefusesMalformedYamlWithItsLine) {
-  EXPECT_THAT(refusal("motor:\n", "motor: [\n"),
+  EXPECT_THAT(load_refusal("motor:\n", "motor: [\n"),
               AllOf(HasSubstr("drive.yaml: line "), HasSubstr("malformed YAML")));
 }
 
 TEST(VehicleLoader, RefusesAFileThatIsNotAMap) {
-  EXPECT_THAT(refusal("description: a plain vehicle for tests\n", "- a list\n"),
+  EXPECT_THAT(load_refusal("description: a plain vehicle for tests\n", "- a list\n"),
               HasSubstr("drive.yaml: line "));
-  EXPECT_THAT(refusal("steering:\n  kind: front\n"
-                      "  max_rate_deg_per_s: {value: 40, source: \"assumed\"}\n",
-                      "steering: 5\n"),
+  EXPECT_THAT(load_refusal("steering:\n  kind: front\n"
+                           "  max_rate_deg_per_s: {value: 40, source: \"assumed\"}\n",
+                           "steering: 5\n"),
               AllOf(HasSubstr("steering: '5'"), HasSubstr("a map of keys")));
 }
 
 TEST(VehicleLoader, RefusesAnUnknownKeyWithItsLineAndTheNearestOne) {
-  EXPECT_THAT(refusal("gear_ratio", "gear_rato"),
+  EXPECT_THAT(load_refusal("gear_ratio", "gear_rato"),
               AllOf(HasSubstr("line 15: drivetrain.gear_rato"), HasSubstr("'gear_ratio'")));
-  EXPECT_THAT(refusal("steering:", "stering:"),
+  EXPECT_THAT(load_refusal("steering:", "stering:"),
               AllOf(HasSubstr("stering"), HasSubstr("'steering'")));
 }
 
 TEST(VehicleLoader, RefusesAMissingKeyAndAKeyGivenTwice) {
-  EXPECT_THAT(refusal("  driven: rear\n", ""),
+  EXPECT_THAT(load_refusal("  driven: rear\n", ""),
               AllOf(HasSubstr("drivetrain.driven"), HasSubstr("missing key")));
-  EXPECT_THAT(refusal("  driven: rear\n", "  driven: rear\n  driven: rear\n"),
+  EXPECT_THAT(load_refusal("  driven: rear\n", "  driven: rear\n  driven: rear\n"),
               AllOf(HasSubstr("drivetrain.driven"), HasSubstr("twice")));
 }
 
 TEST(VehicleLoader, RefusesANumberWithoutASource) {
   EXPECT_THAT(
-      refusal("{value: 42, source: \"assumed\"}", "42"),
+      load_refusal("{value: 42, source: \"assumed\"}", "42"),
       AllOf(HasSubstr("line 15: drivetrain.gear_ratio: '42'"), HasSubstr("needs its source")));
-  EXPECT_THAT(refusal("{value: 42, source: \"assumed\"}", "{value: 42}"),
+  EXPECT_THAT(load_refusal("{value: 42, source: \"assumed\"}", "{value: 42}"),
               AllOf(HasSubstr("drivetrain.gear_ratio.source"), HasSubstr("missing key")));
   EXPECT_THAT(
-      refusal("{value: 42, source: \"assumed\"}", "{value: 42, source: \"\"}"),
+      load_refusal("{value: 42, source: \"assumed\"}", "{value: 42, source: \"\"}"),
       AllOf(HasSubstr("drivetrain.gear_ratio.source"), HasSubstr("where the number is from")));
-  EXPECT_THAT(refusal("{value: 42, source: \"assumed\"}", "{value: 42, sourc: \"x\"}"),
+  EXPECT_THAT(load_refusal("{value: 42, source: \"assumed\"}", "{value: 42, sourc: \"x\"}"),
               AllOf(HasSubstr("drivetrain.gear_ratio.sourc"), HasSubstr("'source'")));
 }
 
@@ -132,27 +132,27 @@ TEST(VehicleLoader, RefusesNumbersThatAreNoneOrOutOfRange) {
   for (const std::string bad : {"heavy", ".nan", "nan", ".inf", "inf", "-42", "0", "1e9", "42 to 1",
                                 "[42]", "0x208", "''"}) {
     EXPECT_THAT(
-        refusal("value: 42,", "value: " + bad + ","),
+        load_refusal("value: 42,", "value: " + bad + ","),
         AllOf(HasSubstr("line 15: drivetrain.gear_ratio"), HasSubstr("a number from 0.1 to 1000")))
         << bad;
   }
 }
 
 TEST(VehicleLoader, RefusesWholeNumbersThatAreNot) {
-  EXPECT_THAT(refusal("value: 24,", "value: 24.5,"),
+  EXPECT_THAT(load_refusal("value: 24,", "value: 24.5,"),
               AllOf(HasSubstr("battery.cells_in_series"), HasSubstr("whole number")));
 }
 
 TEST(VehicleLoader, RefusesWordsThatMeanNothing) {
-  EXPECT_THAT(refusal("lead_acid", "nickel"),
+  EXPECT_THAT(load_refusal("lead_acid", "nickel"),
               AllOf(HasSubstr("battery.chemistry: 'nickel'"), HasSubstr("lead_acid or lfp")));
-  EXPECT_THAT(refusal("driven: rear", "driven: both"),
+  EXPECT_THAT(load_refusal("driven: rear", "driven: both"),
               HasSubstr("rear or front or all or per_wheel"));
-  EXPECT_THAT(refusal("name: bar", "name:"), HasSubstr("implement.name"));
+  EXPECT_THAT(load_refusal("name: bar", "name:"), HasSubstr("implement.name"));
 }
 
 TEST(VehicleLoader, ChecksTheNumbersTogether) {
-  EXPECT_THAT(refusal("gear_ratio: {value: 42", "gear_ratio: {value: 420"),
+  EXPECT_THAT(load_refusal("gear_ratio: {value: 42", "gear_ratio: {value: 420"),
               HasSubstr("drivetrain.gear_ratio: '420'"));
 }
 
@@ -196,17 +196,17 @@ TEST(VehicleLoader, ReadsATrailedImplement) {
 }
 
 TEST(VehicleLoader, RefusesATrailedImplementThatDoesNotTrail) {
-  EXPECT_THAT(refusal("\ndriver:\n", trailer("-0.9")),
+  EXPECT_THAT(load_refusal("\ndriver:\n", trailer("-0.9")),
               AllOf(HasSubstr("implement.x_B_m"), HasSubstr("behind its hitch")));
-  EXPECT_THAT(refusal("\ndriver:\n", trailer("0.2")),
+  EXPECT_THAT(load_refusal("\ndriver:\n", trailer("0.2")),
               AllOf(HasSubstr("trailing.hitch_x_B_m: '0.2'"), HasSubstr("at most 0 m")));
-  EXPECT_THAT(
-      refusal("\ndriver:\n", "\ntrailing:\n  hitch_x_m: {value: -0.5, source: \"a\"}\ndriver:\n"),
-      AllOf(HasSubstr("trailing.hitch_x_m"), HasSubstr("'hitch_x_B_m'")));
+  EXPECT_THAT(load_refusal("\ndriver:\n",
+                           "\ntrailing:\n  hitch_x_m: {value: -0.5, source: \"a\"}\ndriver:\n"),
+              AllOf(HasSubstr("trailing.hitch_x_m"), HasSubstr("'hitch_x_B_m'")));
 }
 
 TEST(VehicleLoader, RefusesSteeringThatTheJointsDoNotHave) {
-  EXPECT_THAT(refusal("kind: front", "kind: four_wheel"),
+  EXPECT_THAT(load_refusal("kind: front", "kind: four_wheel"),
               AllOf(HasSubstr("steering.kind: 'four_wheel'"), HasSubstr("make it 'front'")));
 }
 
