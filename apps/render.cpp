@@ -18,7 +18,8 @@ constexpr const char* kPictures[] = {kFieldPicture, kViewPicture, kEnergyPicture
 int render(const CommonOptions& options) {
   const std::filesystem::path folder = options.folder;
   const PictureSize size = picture_size(options);
-  for (const char* needed : {kScenarioFile, kPathFile, kMetricsFile, kRunFile, kFootprintFile}) {
+  for (const char* needed :
+       {kScenarioFile, kPathFile, kMetricsFile, kRunFile, kFootprintFile, kSegmentsFile}) {
     if (!std::filesystem::exists(folder / needed)) {
       throw InputError((folder / needed).string(), "", "",
                        "no such file: 'headland drive' or 'headland evaluate' writes it");

@@ -27,9 +27,9 @@ CoverageRaster coverage_of(const Job& job, const RunRecord& run) {
 }
 
 std::vector<std::string> notes_on(const Vehicle& vehicle) {
-  const std::string mesh = body_mesh(vehicle).note;
-  if (mesh.empty()) return {};
-  return {fmt::format("vehicle {}: {} in the pictures", vehicle.name, mesh)};
+  std::vector<std::string> notes = vehicle_notes(vehicle);
+  for (std::string& note : notes) note = fmt::format("vehicle {}: {}", vehicle.name, note);
+  return notes;
 }
 
 // Names the scenario in a refusal, which knows of the field alone.

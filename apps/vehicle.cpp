@@ -77,10 +77,8 @@ void add_limits(const Vehicle& vehicle, const Soil& soil, Figures& out) {
   out.add("nose_up_stability_deg", up, "Tips backwards at", fmt::format("{:.1f}° uphill", up));
   out.add("nose_down_stability_deg", down, "Tips forwards at",
           fmt::format("{:.1f}° downhill", down));
-  const bool pivots = vehicle.steering.kind == SteeringKind::kSkid;
-  out.add(
-      "turning_radius_m", min_turning_radius_m(vehicle), "Turning radius",
-      fmt::format("{:.2f} m{}", min_turning_radius_m(vehicle), pivots ? ", or on the spot" : ""));
+  out.add("turning_radius_m", min_turning_radius_m(vehicle), "Turning radius",
+          fmt::format("{:.2f} m", min_turning_radius_m(vehicle)));
   out.add("top_speed_mps", top_speed_mps(vehicle), "Top speed",
           fmt::format("{:.2f} m/s", top_speed_mps(vehicle)));
   const SoilFigures on_soil = figures_on(vehicle, soil);
@@ -127,10 +125,7 @@ int check(const CheckOptions& options) {
   const PictureSize size = picture_size(options.common);
   const Vehicle vehicle = load_vehicle(options.vehicle);
   const Figures figures = figures_of(vehicle, soil);
-  std::vector<std::string> notes = vehicle.notes;
-  const std::string body_note = vehicle_mesh(vehicle, {}).note;
-  // A missing mesh is noted by the loader already.
-  if (!body_note.empty() && notes.empty()) notes.push_back(body_note);
+  const std::vector<std::string> notes = vehicle_notes(vehicle);
   if (!options.picture.empty()) {
     std::vector<SheetFigure> shown;
     for (const Figure& figure : figures.lines) {

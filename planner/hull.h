@@ -9,10 +9,10 @@
 
 namespace headland {
 
-// From the rear-axle centre: a box for the chassis, and the raised implement as a bar across, which
+// From B's origin: a box for the chassis, and the raised implement as a bar across, which
 // may hang over boundary and holes but not through obstacles.
 struct Hull {
-  double front_m = 0.0;  // reach ahead of the rear axle
+  double front_m = 0.0;  // reach ahead of B's origin
   double rear_m = 0.0;   // reach behind it
   double half_width_m = 0.0;
   double bar_x_m = 0.0;
@@ -20,11 +20,11 @@ struct Hull {
 };
 
 Hull hull_of(const Vehicle& vehicle);
-// Distance [m] from the rear-axle centre to the chassis's furthest corner.
+// Distance [m] from B's origin to the chassis's furthest corner.
 double reach_m(const Hull& hull);
 // The same with the ends of the bar.
 double reach_with_bar_m(const Hull& hull);
-// How far [m] the chassis reaches from the rear-axle centre along a unit vector of W.
+// How far [m] the chassis reaches from B's origin along a unit vector of W.
 double reach_along_m(const Hull& hull, double heading_rad, const Eigen::Vector2d& along_W);
 
 // A box in the frame of a pose: x along its heading.

@@ -12,7 +12,7 @@ namespace headland {
 enum class PathKind { kSwath, kHeadlandPass, kTurn, kUTurn, kTransit };
 enum class Gear { kForward, kReverse };
 
-// Where the rear-axle centre is to be. `heading_rad` is the direction of the body's x axis
+// Where B's origin is to be. `heading_rad` is the direction of the body's x axis
 // (counter-clockwise from +x of W), in reverse gear the motion is opposite to it.
 // `curvature_per_m` is the signed curvature of the curve that the body x axis follows, positive
 // to the left: tan(steer) / wheelbase in either gear.

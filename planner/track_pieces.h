@@ -27,7 +27,7 @@ struct TrackPieces {
 // 1973), whose corners are rounded by the largest arcs that stay within the other half and leave
 // room for their neighbours'. A corner whose arc would be tighter than `radius_m` cuts the piece;
 // up to kTrimmedAngle_rad both ends are drawn back so that one arc of `radius_m` joins them when
-// the rear axle is `ahead_m` ahead of the track along both. Pieces shorter than kMinPiece_m are
+// B's origin is `ahead_m` ahead of the track along both. Pieces shorter than kMinPiece_m are
 // dropped. A jump of the receiver shows as a pair of such corners.
 TrackPieces track_pieces(const Track& track, double tolerance_m, double radius_m, double ahead_m);
 

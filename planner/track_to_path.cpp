@@ -26,7 +26,7 @@ bool is_straight(const TrackPiece& piece) {
   return most_rad - least_rad <= kStraight_rad;
 }
 
-// The rear axle's line: `ahead_m` further along than the track, beginning on it and running on
+// The line of B's origin: `ahead_m` further along than the track, beginning on it and running on
 // straight at its end (the other way round for an implement ahead of the axle).
 WorkLine line_of(const TrackPiece& piece, double ahead_m) {
   std::vector<Arc> arcs = piece.arcs;

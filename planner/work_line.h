@@ -1,4 +1,4 @@
-// The line that the rear axle follows so that the implement works along a pass.
+// The line that B's origin follows so that the implement works along a pass.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ struct WorkLine {
   std::vector<PathPoint> points;
 };
 
-// The pass's line moved on by -implement_x_B_m along itself: an implement behind the rear axle
+// The pass's line moved on by -implement_x_B_m along itself: an implement behind B's origin
 // then works from end to end. A closed ring runs on over its own beginning, other lines run on
 // straight. Curved lines are averaged over kSmoothing_m to both sides, which evens out the corners
 // of rings made of chords; on a radius R that moves the line inwards by kSmoothing_m^2 / (12 R).

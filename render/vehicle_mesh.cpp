@@ -124,8 +124,7 @@ void append_wheels(Mesh& mesh, const Vehicle& vehicle, const RunSample& sample) 
     const Axle& axle = i >= 2 ? vehicle.front : vehicle.rear;
     if (!(axle.radius_m > 0.0)) continue;
     const double left_m = (i % 2 == 0 ? 0.5 : -0.5) * axle.track_m;
-    const double steer =
-        wheel_angle_rad(curvature_of(vehicle, sample.steer_rad), {axle.x_B_m, left_m});
+    const double steer = wheel_angle_rad(vehicle, sample.steer_rad, {axle.x_B_m, left_m});
     const Eigen::Isometry3d X = moved({axle.x_B_m, left_m, axle.radius_m}) *
                                 Eigen::AngleAxisd(steer, Point::UnitZ()) *
                                 Eigen::AngleAxisd(sample.wheel_angle_rad[i], Point::UnitY());
@@ -158,7 +157,7 @@ void append_implement(Mesh& mesh, const Vehicle& vehicle, bool down) {
       append(mesh, bar_mesh({at, y, kBarHeight_m}, {at - 0.12, y, -0.02}, 0.025, kTool), X);
     }
   }
-  const double hitch = x <= 0.0 ? -0.5 * vehicle.body.rear_overhang_m
+  const double hitch = x <= 0.0 ? 0.5 * (vehicle.rear.x_B_m - vehicle.body.rear_overhang_m)
                                 : vehicle.body.length_m - vehicle.body.rear_overhang_m;
   const double beam_half_m = std::min(0.35, 0.3 * vehicle.body.width_m);
   for (const double y : {-beam_half_m, beam_half_m}) {
@@ -191,6 +190,15 @@ VehicleMesh body_mesh(const Vehicle& vehicle) {
   }
   if (!out.note.empty()) out.mesh = plain_body(vehicle.body);
   return out;
+}
+
+std::vector<std::string> vehicle_notes(const Vehicle& vehicle) {
+  std::vector<std::string> notes = vehicle.notes;
+  const bool told = std::any_of(notes.begin(), notes.end(),
+                                [](const std::string& note) { return note.starts_with("mesh "); });
+  const std::string mesh = body_mesh(vehicle).note;
+  if (!mesh.empty() && !told) notes.push_back(mesh + " in the pictures");
+  return notes;
 }
 
 VehicleMesh vehicle_mesh(const Vehicle& vehicle, const RunSample& sample) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <string>
+#include <vector>
 
 #include "render/mesh.h"
 #include "render/relief.h"
@@ -19,6 +20,9 @@ struct VehicleMesh {
 // The body alone: from the vehicle's shapes, or a plain box of the hull's size when there are
 // none or a mesh cannot be read.
 VehicleMesh body_mesh(const Vehicle& vehicle);
+
+// The vehicle's notes, and why its body is a plain box unless they say so already.
+std::vector<std::string> vehicle_notes(const Vehicle& vehicle);
 
 // The body, wheels turned and steered, implement lowered or raised as in the sample.
 VehicleMesh vehicle_mesh(const Vehicle& vehicle, const RunSample& sample);

@@ -12,7 +12,7 @@ struct MotorTorque {
   bool clipped = false;
 };
 
-// Losses [W] of motor and inverter: kc T^2 + ki |w| + kw |w|^3 + C (Larminie and Lowry), >= 0.
+// Losses [W] of the motor: kc T^2 + ki |w| + kw |w|^3 + C (Larminie and Lowry), >= 0.
 double motor_loss_w(const Motor& motor, double torque_nm, double speed_rad_per_s);
 
 // Limits by torque, power and speed, and by the electrical power that the battery can give

@@ -157,14 +157,19 @@ StepReport step_machine(const Machine& machine, const DriverCommand& command, St
     report.energy.cause_j[i] = dt_s * losses.cause_w[i];
   }
   double motor_loss = 0.0;
+  double motor_input_w = 0.0;
   for (int m = 0; m < machine.motors.motors; ++m) {
     const auto i = static_cast<std::size_t>(m);
-    motor_loss +=
-        motor_loss_w(vehicle.motor, drivetrain.motor_nm[i], losses.motor_speed_rad_per_s[i]);
-    report.motor_nm += drivetrain.motor_nm[i];
+    const double torque_nm = drivetrain.motor_nm[i];
+    const double speed_rad_per_s = losses.motor_speed_rad_per_s[i];
+    const double loss_w = motor_loss_w(vehicle.motor, torque_nm, speed_rad_per_s);
+    // Each motor has an inverter of its own: what one gives back another does not get for free.
+    const double input_w = torque_nm * speed_rad_per_s + loss_w;
+    report.motor_w += input_w > 0.0 ? input_w / inverter : input_w * inverter;
+    report.motor_nm += torque_nm;
+    motor_loss += loss_w;
+    motor_input_w += input_w;
   }
-  const double motor_input_w = losses.motor_shaft_w + motor_loss;
-  report.motor_w = motor_input_w > 0.0 ? motor_input_w / inverter : motor_input_w * inverter;
   report.battery_w = report.motor_w + other_w;
   const BatteryFlow flow = draw(vehicle.battery, report.battery_w, dt_s, state.battery);
   report.battery_v = flow.voltage_v;

@@ -50,7 +50,7 @@ struct StepReport {
 ChassisState place_on_ground(const Machine& machine, const Eigen::Vector2d& p_W,
                              double heading_rad);
 
-// Position of the rear-axle centre's ground point (origin of B) in W.
+// Position of B's origin in W.
 Eigen::Vector3d origin_of(const ChassisState& chassis, const ChassisMass& mass);
 
 // Angle of the virtual front wheel on the centre line, and how fast its actuator turns it.

@@ -8,7 +8,7 @@
 
 namespace headland {
 
-// Motion of the rear-axle centre's ground point as the driver's sensors give it.
+// Motion of B's origin as the driver's sensors give it.
 struct DriverView {
   Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
   double age_s = 0.0;  // of p_W; all else is of now

@@ -67,7 +67,7 @@ struct RunSample {
   double steer_rad = 0.0;
   double slip = 0.0;                 // worst of the driven wheels, 0..1
   double load_transfer_ratio = 0.0;  // (left - right) / total wheel load, -1..1
-  double cross_track_error_m = 0.0;  // of the rear-axle centre, left of the path positive
+  double cross_track_error_m = 0.0;  // of B's origin, left of the path positive
   double motor_torque_nm = 0.0;
   double motor_power_w = 0.0;    // electrical
   double battery_power_w = 0.0;  // at the terminals, discharge positive

@@ -2,7 +2,7 @@
 """Writes the body meshes of the built-in vehicles: NAME/meshes/NAME.obj and .mtl.
 
 Run it from anywhere, without arguments, after changing a shape; the meshes are kept beside it.
-Needs only Python's standard library. Frame B: origin on the ground below the rear axle, x forward,
+Needs only Python's standard library. Frame: origin on the ground below the rear axle, x forward,
 y left, z up, metres. Wheels and implement are not in the mesh: they move, so the renderer draws
 them from their sizes.
 """

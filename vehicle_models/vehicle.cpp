@@ -28,6 +28,11 @@ double wheel_angle_rad(double curvature_per_m, const Eigen::Vector2d& p_B) {
   return std::atan2(p_B.x() * curvature_per_m, 1.0 - p_B.y() * curvature_per_m);
 }
 
+double wheel_angle_rad(const Vehicle& vehicle, double steer_rad, const Eigen::Vector2d& p_B) {
+  if (vehicle.steering.kind == SteeringKind::kSkid) return 0.0;
+  return wheel_angle_rad(curvature_of(vehicle, steer_rad), p_B);
+}
+
 double min_turning_radius_m(const Vehicle& vehicle) {
   if (vehicle.steering.kind == SteeringKind::kSkid) return vehicle.steering.turning_radius_m;
   return 1.0 / curvature_of(vehicle, vehicle.steering.max_angle_rad);

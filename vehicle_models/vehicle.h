@@ -31,7 +31,7 @@ struct Body {
 };
 
 struct Axle {
-  double x_B_m = 0.0;     // 0: not steered, see wheel_angle_rad
+  double x_B_m = 0.0;
   double track_m = 0.0;   // between wheel centres
   double radius_m = 0.0;  // loaded rolling radius at static load
   double width_m = 0.0;
@@ -57,7 +57,7 @@ struct Steering {
   double max_angle_rad = 0.0;  // of the virtual front wheel on the centre line; not for skid
   double max_rate_rad_per_s = 0.0;
   double max_yaw_rate_rad_per_s = 0.0;  // skid: on the spot
-  double turning_radius_m = 0.0;        // skid: tightest arc that plans drive, of the hull's middle
+  double turning_radius_m = 0.0;        // skid: tightest arc of B's origin
   double actuator_power_w = 0.0;        // mechanical, while the wheels turn at max_rate
   double actuator_efficiency = 1.0;     // electrical to mechanical
 };
@@ -100,8 +100,11 @@ double curvature_of(const Vehicle& vehicle, double steer_rad);
 double steer_for(const Vehicle& vehicle, double curvature_per_m);
 
 // Angle [rad] of a steered wheel whose hub is at `p_B` when B's origin turns on a circle of that
-// curvature: square to the line from the circle's centre (Ackermann).
+// curvature: square to the line from the circle's centre (Ackermann). 0 on the axle with x_B_m 0.
 double wheel_angle_rad(double curvature_per_m, const Eigen::Vector2d& p_B);
+
+// Likewise for a steering angle of the vehicle; 0 for skid steering, whose wheels do not turn.
+double wheel_angle_rad(const Vehicle& vehicle, double steer_rad, const Eigen::Vector2d& p_B);
 
 // Radius [m] of the tightest circle of B's origin: by the largest steering angle (single-track
 // model), or as given for skid steering.

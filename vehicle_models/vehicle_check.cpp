@@ -21,42 +21,47 @@ void check_body(const Vehicle& vehicle, const std::string& source) {
   const Body& body = vehicle.body;
   const Eigen::Vector3d& inertia = body.inertia_kg_m2;
   if (inertia.minCoeff() <= 0.0) {
-    refuse(source, "body.inertia_kg_m2", inertia.minCoeff(), "every moment must be above 0");
+    refuse(source, "inertia [kg m2]", inertia.minCoeff(), "every moment must be above 0");
   }
   if (2.0 * inertia.maxCoeff() > inertia.sum()) {
-    refuse(source, "body.inertia_kg_m2", inertia.maxCoeff(),
+    refuse(source, "inertia [kg m2]", inertia.maxCoeff(),
            "no rigid body has one moment of inertia larger than the sum of the other two");
   }
   if (body.com_B.x() <= vehicle.rear.x_B_m || body.com_B.x() >= vehicle.front.x_B_m) {
-    refuse(source, "body.com_B", body.com_B.x(),
+    refuse(source, "centre of mass [m]", body.com_B.x(),
            fmt::format("the centre of mass must lie between the axles, x in ({:g}, {:g}) m",
                        vehicle.rear.x_B_m, vehicle.front.x_B_m));
   }
+  const double narrower_m = std::min(vehicle.rear.track_m, vehicle.front.track_m);
+  if (std::abs(body.com_B.y()) >= 0.5 * narrower_m) {
+    refuse(source, "centre of mass [m]", body.com_B.y(),
+           fmt::format("must lie between the wheels, y within {:g} m", 0.5 * narrower_m));
+  }
   if (body.com_B.z() > body.height_m) {
-    refuse(source, "body.com_B", body.com_B.z(),
+    refuse(source, "centre of mass [m]", body.com_B.z(),
            fmt::format("the centre of mass must lie in the hull, z below {:g} m", body.height_m));
   }
   if (body.ground_clearance_m >= body.height_m) {
-    refuse(source, "body.ground_clearance_m", body.ground_clearance_m,
-           fmt::format("must be below body.height_m, {:g} m", body.height_m));
+    refuse(source, "ground clearance [m]", body.ground_clearance_m,
+           fmt::format("must be below the height, {:g} m", body.height_m));
   }
   if (body.rear_overhang_m >= body.length_m) {
-    refuse(source, "body.rear_overhang_m", body.rear_overhang_m,
-           fmt::format("must be below body.length_m, {:g} m", body.length_m));
+    refuse(source, "hull behind frame B [m]", body.rear_overhang_m,
+           fmt::format("must be below the length, {:g} m", body.length_m));
   }
 }
 
 void check_axle(const Vehicle& vehicle, const Axle& axle, double load_n, const std::string& name,
                 const std::string& source) {
   if (axle.radius_m < vehicle.body.ground_clearance_m) {
-    refuse(source, name + ".radius_m", axle.radius_m,
-           fmt::format("must be at least body.ground_clearance_m, {:g} m, or the axle would hang "
+    refuse(source, name + " wheel radius [m]", axle.radius_m,
+           fmt::format("must be at least the ground clearance, {:g} m, or the axle would hang "
                        "below the hull",
                        vehicle.body.ground_clearance_m));
   }
   const double sag_m = 0.5 * load_n / axle.vertical_stiffness_n_per_m;
   if (sag_m > kMaxStaticDeflection * axle.radius_m) {
-    refuse(source, name + ".vertical_stiffness_n_per_m", axle.vertical_stiffness_n_per_m,
+    refuse(source, name + "_tyres.vertical_stiffness_n_per_m", axle.vertical_stiffness_n_per_m,
            fmt::format("the tyre would sag {:.2f} m at rest; at least {:.0f} N/m", sag_m,
                        0.5 * load_n / (kMaxStaticDeflection * axle.radius_m)));
   }
@@ -77,14 +82,20 @@ void check_axles(const Vehicle& vehicle, const std::string& source) {
                        "{:.0f} % is needed to steer",
                        100.0 * loads.front_n / weight_n, 100.0 * kMinFrontLoadShare));
   }
+  if (loads.rear_n < kMinFrontLoadShare * weight_n) {
+    refuse(source, "implement.mass_kg", vehicle.implement.mass_kg,
+           fmt::format("with it raised the rear axle carries {:.0f} % of the weight; at least "
+                       "{:.0f} % is needed to stand and pull",
+                       100.0 * loads.rear_n / weight_n, 100.0 * kMinFrontLoadShare));
+  }
   check_axle(vehicle, vehicle.rear, loads.rear_n, "rear", source);
   check_axle(vehicle, vehicle.front, loads.front_n, "front", source);
   if (!vehicle.rear.driven && !vehicle.front.driven) {
-    throw InputError(source, "rear.driven", "false", "at least one axle must be driven");
+    throw InputError(source, "drivetrain.driven", "", "at least one axle must be driven");
   }
   if (vehicle.rear.driven && vehicle.front.driven &&
       std::abs(vehicle.rear.radius_m - vehicle.front.radius_m) > 0.02 * vehicle.rear.radius_m) {
-    refuse(source, "front.radius_m", vehicle.front.radius_m,
+    refuse(source, "front wheel radius [m]", vehicle.front.radius_m,
            fmt::format("one gear ratio drives both axles: within 2 % of rear.radius_m, {:g} m, or "
                        "only one axle driven",
                        vehicle.rear.radius_m));
@@ -98,7 +109,14 @@ void check_steering(const Vehicle& vehicle, const std::string& source) {
     throw InputError(source, fmt::format("steering.{}", key), "",
                      fmt::format("missing key: {} steering needs it", kind));
   };
+  const auto spare = [&](std::string_view key, double value, std::string_view kind) {
+    if (value == 0.0) return;
+    throw InputError(source, fmt::format("steering.{}", key), "",
+                     fmt::format("only for {} steering; this vehicle's is '{}'", kind,
+                                 steering_word(steering.kind)));
+  };
   if (steering.kind == SteeringKind::kSkid) {
+    spare("actuator_power_w", steering.actuator_power_w, "wheel");
     need("max_yaw_rate_deg_per_s", steering.max_yaw_rate_rad_per_s, "skid");
     need("turning_radius_m", steering.turning_radius_m, "skid");
     if (!vehicle.drivetrain.motor_per_wheel) {
@@ -107,6 +125,8 @@ void check_steering(const Vehicle& vehicle, const std::string& source) {
     }
   } else {
     need("max_rate_deg_per_s", steering.max_rate_rad_per_s, "wheel");
+    spare("max_yaw_rate_deg_per_s", steering.max_yaw_rate_rad_per_s, "skid");
+    spare("turning_radius_m", steering.turning_radius_m, "skid");
   }
 }
 
@@ -179,7 +199,7 @@ void check_drivable(const Vehicle& vehicle, const std::string& source) {
   if (vehicle.implement.trailing) {
     throw InputError(
         source, "vehicle", vehicle.name,
-        "a trailed implement (implement.trailing) is not driven by the simulation yet; "
+        "a trailed implement (section trailing of drive.yaml) is not driven by the simulation; "
         "'headland plan' and 'headland vehicle check' take it");
   }
 }

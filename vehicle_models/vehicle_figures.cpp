@@ -92,7 +92,7 @@ double side_stability_angle_rad(const Vehicle& vehicle) {
   };
   const Eigen::Vector2d line =
       (1.0 - front_share) * support(vehicle.rear) + front_share * support(vehicle.front);
-  return std::atan2(line.x(), com_B.z() - line.y());
+  return std::atan2(line.x() - std::abs(com_B.y()), com_B.z() - line.y());
 }
 
 double nose_up_stability_angle_rad(const Vehicle& vehicle) {

@@ -76,6 +76,10 @@ void apply_robot(const Robot& robot, const std::string& drive_file, Vehicle& veh
   Steering& steering = vehicle.steering;
   steering.max_angle_rad = gear.max_angle_rad;
   if (gear.steering == SteeringKind::kSkid) {
+    if (steering.max_rate_rad_per_s > 0.0) {
+      throw InputError(drive_file, "steering.max_rate_deg_per_s", "",
+                       "only for wheel steering; this vehicle's is 'skid'");
+    }
     // The virtual front wheel of the tightest arc, as fast as the vehicle may turn.
     steering.max_angle_rad = steer_for(vehicle, 1.0 / steering.turning_radius_m);
     steering.max_rate_rad_per_s = steering.max_yaw_rate_rad_per_s;
@@ -100,7 +104,7 @@ void note_missing_meshes(Vehicle& vehicle) {
     if (shape.kind == ShapeKind::kMesh && !fs::is_regular_file(shape.mesh_file)) {
       vehicle.notes.push_back(
           fmt::format("mesh {}: no such file; a plain box is drawn",
-                      shape.mesh_file.lexically_relative(vehicle.folder).string()));
+                      shape.mesh_file.lexically_proximate(vehicle.folder).string()));
     }
   }
 }

@@ -58,8 +58,10 @@ TEST(SteeringKinds, SkidSteeringScrubsMoreThanSteeredWheels) {
 TEST(SteeringKinds, FourSteeredWheelsTurnOnHalfTheRadius) {
   Vehicle vehicle = load_vehicle("four_wheel_steer_robot");
   const double four_m = min_turning_radius_m(vehicle);
-  EXPECT_NEAR(four_m, 0.5 * wheelbase_m(vehicle) / std::tan(vehicle.steering.max_angle_rad), 1e-12);
-  EXPECT_EQ(vehicle.rear.x_B_m, -vehicle.front.x_B_m);
+  vehicle.steering.kind = SteeringKind::kFront;
+  vehicle.front.x_B_m = wheelbase_m(vehicle);
+  vehicle.rear.x_B_m = 0.0;
+  EXPECT_NEAR(four_m, 0.5 * min_turning_radius_m(vehicle), 1e-12);
 }
 
 }  // namespace

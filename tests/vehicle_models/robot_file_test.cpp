@@ -82,7 +82,7 @@ const BadRobot kBadRobots[] = {
     {"NoHull", "<box size=\"3.05 2 1.47\"/>", "<mesh filename=\"hull.stl\"/>",
      "vehicle.urdf: collision", "the body has no hull"},
     {"WheelsUnderTheClearance", "<origin xyz=\"0.575 0 1.015\"/>", "<origin xyz=\"0.575 0 1.2\"/>",
-     "rear.radius_m: '0.34'", "body.ground_clearance_m"},
+     "rear wheel radius [m]: '0.34'", "the ground clearance"},
     {"InMillimetres", "<mass value=\"464\"/>", "<mass value=\"464000\"/>", "mass [kg]: '4.64",
      "from 10 to 60000"},
 };

@@ -34,34 +34,35 @@ TEST(VehicleCheck, TakesThePlainVehicle) {
 
 TEST(VehicleCheck, RefusesInertiaThatNoBodyHas) {
   const auto zero = [](Vehicle& v) { v.body.inertia_kg_m2.setZero(); };
-  EXPECT_THAT(refusal(zero), AllOf(HasSubstr("body.inertia_kg_m2: '0'"), HasSubstr("above 0")));
+  EXPECT_THAT(refusal(zero), AllOf(HasSubstr("inertia [kg m2]: '0'"), HasSubstr("above 0")));
   const auto impossible = [](Vehicle& v) { v.body.inertia_kg_m2 = {100.0, 100.0, 201.0}; };
   EXPECT_THAT(refusal(impossible),
-              AllOf(HasSubstr("body.inertia_kg_m2: '201'"), HasSubstr("sum of the other two")));
+              AllOf(HasSubstr("inertia [kg m2]: '201'"), HasSubstr("sum of the other two")));
 }
 
 TEST(VehicleCheck, RefusesACentreOfMassOutsideTheWheelbaseOrTheHull) {
   EXPECT_THAT(refusal([](Vehicle& v) { v.body.com_B.x() = -0.1; }),
-              AllOf(HasSubstr("body.com_B: '-0.1'"), HasSubstr("x in (0, 1.4) m")));
+              AllOf(HasSubstr("centre of mass [m]: '-0.1'"), HasSubstr("x in (0, 1.4) m")));
   EXPECT_THAT(refusal([](Vehicle& v) { v.body.com_B.x() = 1.5; }), HasSubstr("between the axles"));
   EXPECT_THAT(refusal([](Vehicle& v) { v.body.com_B.z() = 1.8; }), HasSubstr("z below 1.75 m"));
 }
 
 TEST(VehicleCheck, RefusesAHullThatDoesNotFitTogether) {
   EXPECT_THAT(refusal([](Vehicle& v) { v.body.ground_clearance_m = 1.8; }),
-              AllOf(HasSubstr("body.ground_clearance_m: '1.8'"), HasSubstr("1.75 m")));
+              AllOf(HasSubstr("ground clearance [m]: '1.8'"), HasSubstr("1.75 m")));
   EXPECT_THAT(refusal([](Vehicle& v) { v.body.rear_overhang_m = 3.1; }),
-              AllOf(HasSubstr("body.rear_overhang_m: '3.1'"), HasSubstr("3.05 m")));
+              AllOf(HasSubstr("hull behind frame B [m]: '3.1'"), HasSubstr("3.05 m")));
 }
 
 TEST(VehicleCheck, RefusesWheelsThatHangBelowTheHull) {
   EXPECT_THAT(refusal([](Vehicle& v) { v.front.radius_m = 0.2; }),
-              AllOf(HasSubstr("front.radius_m: '0.2'"), HasSubstr("0.28 m")));
+              AllOf(HasSubstr("front wheel radius [m]: '0.2'"), HasSubstr("0.28 m")));
 }
 
 TEST(VehicleCheck, RefusesTyresThatSagTooFar) {
-  EXPECT_THAT(refusal([](Vehicle& v) { v.rear.vertical_stiffness_n_per_m = 20000.0; }),
-              AllOf(HasSubstr("rear.vertical_stiffness_n_per_m: '20000'"), HasSubstr("0.10 m")));
+  EXPECT_THAT(
+      refusal([](Vehicle& v) { v.rear_tyres.vertical_stiffness_n_per_m = 20000.0; }),
+      AllOf(HasSubstr("rear_tyres.vertical_stiffness_n_per_m: '20000'"), HasSubstr("0.10 m")));
 }
 
 TEST(VehicleCheck, RefusesAnImplementThatLiftsTheFrontAxle) {
@@ -73,7 +74,7 @@ TEST(VehicleCheck, RefusesAVehicleWithoutDriveOrWithTwoRadiiOnOneGear) {
   EXPECT_THAT(refusal([](Vehicle& v) { v.rear.driven = false; }),
               HasSubstr("at least one axle must be driven"));
   EXPECT_THAT(refusal([](Vehicle& v) { v.front.driven = true; }),
-              AllOf(HasSubstr("front.radius_m: '0.3'"), HasSubstr("0.34 m")));
+              AllOf(HasSubstr("front wheel radius [m]: '0.3'"), HasSubstr("0.34 m")));
   const auto equal = [](Vehicle& v) {
     v.front.driven = true;
     v.front.radius_m = v.rear.radius_m;
@@ -104,6 +105,13 @@ TEST(VehicleCheck, RefusesABatteryThatCannotFeedTheMotor) {
                     HasSubstr("draw up to 4.5 kW")));
 }
 
+TEST(VehicleCheck, RefusesWeightBesideTheWheelsAndBeforeThem) {
+  EXPECT_THAT(refusal([](Vehicle& v) { v.body.com_B.y() = -0.7; }),
+              AllOf(HasSubstr("centre of mass [m]: '-0.7'"), HasSubstr("y within")));
+  EXPECT_THAT(refusal([](Vehicle& v) { v.implement.x_B_m = 9.0; }),
+              AllOf(HasSubstr("implement.mass_kg"), HasSubstr("the rear axle carries")));
+}
+
 TEST(VehicleCheck, RefusesSteeringWithoutItsNumbers) {
   EXPECT_THAT(refusal([](Vehicle& v) { v.steering.max_rate_rad_per_s = 0.0; }),
               AllOf(HasSubstr("steering.max_rate_deg_per_s"), HasSubstr("missing key")));
@@ -125,6 +133,8 @@ TEST(VehicleCheck, RefusesSteeringWithoutItsNumbers) {
   };
   EXPECT_THAT(skid(0.0, 1.0, true), HasSubstr("steering.max_yaw_rate_deg_per_s"));
   EXPECT_THAT(skid(1.0, 0.0, true), HasSubstr("steering.turning_radius_m"));
+  EXPECT_THAT(refusal([](Vehicle& v) { v.steering.turning_radius_m = 1.0; }),
+              AllOf(HasSubstr("steering.turning_radius_m"), HasSubstr("only for skid steering")));
   EXPECT_THAT(skid(1.0, 1.0, false),
               AllOf(HasSubstr("drivetrain.driven"), HasSubstr("must be per_wheel")));
 }
