@@ -11,10 +11,10 @@ namespace {
 
 // A signal handler has no argument to carry them.
 volatile std::sig_atomic_t interrupt_seen = 0;
-volatile std::sig_atomic_t at_once = 0;
+volatile std::sig_atomic_t ends_at_once = 0;
 
 extern "C" void note_interrupt(int signal) {
-  if (at_once != 0) {
+  if (ends_at_once != 0) {
     for (const char* text : {"headland: ", kInterruptedText, "\n"}) {
       std::size_t length = 0;
       while (text[length] != '\0') ++length;
@@ -37,12 +37,12 @@ void stop_if_interrupted() {
 }
 
 InterruptAtOnce::InterruptAtOnce() {
-  at_once = 1;
+  ends_at_once = 1;
   if (!interrupted()) return;
-  at_once = 0;
+  ends_at_once = 0;
   throw Interrupted{};
 }
 
-InterruptAtOnce::~InterruptAtOnce() { at_once = 0; }
+InterruptAtOnce::~InterruptAtOnce() { ends_at_once = 0; }
 
 }  // namespace headland

@@ -1,9 +1,11 @@
 #include "render/gl_objects.h"
 
 #include <fmt/format.h>
+#include <cstdint>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -86,10 +88,10 @@ GlTriangles::GlTriangles(std::span<const std::byte> vertices, std::size_t stride
     const GlAttribute& attribute = attributes[i];
     glEnableVertexAttribArray(static_cast<GLuint>(i));
     // OpenGL takes the offset into the buffer as a pointer.
-    glVertexAttribPointer(static_cast<GLuint>(i), attribute.components, attribute.type,
-                          attribute.type == GL_FLOAT ? GL_FALSE : GL_TRUE,
-                          static_cast<GLsizei>(stride),
-                          static_cast<const std::byte*>(nullptr) + attribute.offset);
+    glVertexAttribPointer(
+        static_cast<GLuint>(i), attribute.components, attribute.type,
+        attribute.type == GL_FLOAT ? GL_FALSE : GL_TRUE, static_cast<GLsizei>(stride),
+        reinterpret_cast<const void*>(static_cast<std::uintptr_t>(attribute.offset)));
   }
   if (!indexed_) return;
   glGenBuffers(1, &indices_);

@@ -33,6 +33,7 @@ Eigen::AlignedBox3d bounds_of_mesh(const Mesh& mesh) {
 
 std::vector<Point3> corners_of(const Eigen::AlignedBox3d& box) {
   std::vector<Point3> corners;
+  corners.reserve(8);
   for (int i = 0; i < 8; ++i) {
     corners.push_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
   }

@@ -123,6 +123,7 @@ Wheel wheel_of(const Robot& robot, const RobotJoint& joint, std::vector<std::str
 
 std::string names_of(const std::vector<Wheel>& wheels) {
   std::vector<std::string> names;
+  names.reserve(wheels.size());
   for (const Wheel& wheel : wheels) names.push_back(wheel.joint);
   return fmt::format("{}", fmt::join(names, ", "));
 }
