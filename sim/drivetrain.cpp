@@ -6,6 +6,10 @@
 namespace headland {
 namespace {
 
+// Torque against a slower motion than this drives and does not brake: a vehicle held by the soil
+// that has sunk back by a hair must still be able to move off.
+constexpr double kNoMotion_mps = 0.02;
+
 // Largest torque in the direction of rotation whose input power is at most `available_w`.
 double torque_for_power(const Motor& motor, double speed_rad_per_s, double available_w) {
   const double speed = std::abs(speed_rad_per_s);
@@ -108,8 +112,12 @@ DrivetrainCommand command_drive(const Vehicle& vehicle, const MotorLayout& layou
     const auto motor_index = static_cast<std::size_t>(m);
     const double wanted_nm = request.wheel_torque_nm[motor_index];
     const double speed_rad_per_s = request.motor_speed_rad_per_s[motor_index];
-    const bool braking =
-        wanted_nm * (drivetrain.motor_per_wheel ? speed_rad_per_s : request.speed_mps) < 0.0;
+    const auto wheel = std::find(layout.motor_of.begin(), layout.motor_of.end(), m);
+    const Axle& axle = wheel - layout.motor_of.begin() < 2 ? vehicle.rear : vehicle.front;
+    const double moving_mps = drivetrain.motor_per_wheel
+                                  ? axle.radius_m * speed_rad_per_s / drivetrain.gear_ratio
+                                  : request.speed_mps;
+    const bool braking = wanted_nm * moving_mps < 0.0 && std::abs(moving_mps) > kNoMotion_mps;
     double to_motor_nm = wanted_nm;
     if (braking) {
       const bool regenerates =

@@ -104,6 +104,14 @@ TEST(Drivetrain, RegenerationTakesItsShareAboveTheLeastSpeed) {
   EXPECT_EQ(rig.command(-300.0, 0.4).motor_nm[0], 0.0);
 }
 
+// Soil holds a standing vehicle, at a speed of either sign that is nothing but rounding.
+TEST(Drivetrain, DrivesAVehicleThatHasSunkBackByAHair) {
+  const Rig rig;
+  EXPECT_NEAR(rig.command(400.0, -1e-9).wheels[0].drive_nm, 200.0, 1e-6);
+  EXPECT_EQ(rig.command(400.0, -1e-9).wheels[0].brake_max_nm, 0.0);
+  EXPECT_GT(rig.command(400.0, -0.1).wheels[0].brake_max_nm, 0.0);
+}
+
 // A couple about z comes from the wheels' forward forces, right minus left, at half the track.
 TEST(Drivetrain, MotorsAtTheWheelsTurnTheVehicle) {
   Rig rig;

@@ -36,6 +36,17 @@ TEST(Simulation, DrivesAStraightLineToItsEnd) {
   EXPECT_EQ(run.peaks.boundary_overrun_m.value, 0.0);
 }
 
+TEST(Simulation, MovesOffOnEverySoilWhicheverWayTheGroundTilts) {
+  for (const Soil& soil : soils()) {
+    for (const double slope : {-0.005, 0.0, 0.005}) {
+      const Vehicle vehicle = load_vehicle("utility_tractor");
+      const RunRecord run = test::run(test::straight(5.0, true), vehicle, test::plane(slope, 0.01),
+                                      uniform_soil(soil));
+      EXPECT_EQ(run.outcome, Outcome::kFinished) << soil.name << ", slope " << slope;
+    }
+  }
+}
+
 TEST(Simulation, KeepsItsWorkSpeedWithin1Percent) {
   const Vehicle vehicle = transplanter();
   const RunRecord run =
