@@ -98,13 +98,13 @@ std::string energy_table(const RunRecord& run) {
 }
 
 std::string kind_table(const Metrics& metrics) {
-  std::string text = fmt::format("\n  {:<16}{:>6}{:>11}{:>14}{:>13}{:>11}{:>13}\n", "by movement",
+  std::string text = fmt::format("\n  {:<16}{:>6}{:>11}{:>15}{:>15}{:>13}{:>15}\n", "by movement",
                                  "count", "distance", "time", "energy", "per m", "each");
   for (const PathKind kind : kEveryPathKind) {
     const KindTotals& totals = metrics.by_kind[static_cast<std::size_t>(kind)];
     if (totals.count == 0) continue;
     const double wh = totals.energy.battery_j / kJoulePerWattHour;
-    text += fmt::format("  {:<16}{:>6}{:>9.0f} m{:>14}{:>10.1f} Wh{:>8.3f} Wh{:>10.2f} Wh\n",
+    text += fmt::format("  {:<16}{:>6}{:>9.0f} m{:>15}{:>12.1f} Wh{:>10.3f} Wh{:>12.2f} Wh\n",
                         path_kind_name(kind), totals.count, totals.distance_m,
                         duration_text(totals.time_s), wh,
                         totals.distance_m > 0.0 ? wh / totals.distance_m : 0.0, wh / totals.count);

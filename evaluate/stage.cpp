@@ -29,7 +29,7 @@ PlanRequest plan_request(const Scenario& scenario, const Stage& stage) {
   request.turning_radius_m = planning_turning_radius_m(vehicle);
   request.vehicle_width_m = vehicle.body.width_m;
   request.vehicle_front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
-  request.vehicle_rear_m = vehicle.body.rear_overhang_m;
+  request.vehicle_rear_m = std::max(vehicle.body.rear_overhang_m, -vehicle.implement.x_B_m);
   request.clearance_m = scenario.path.clearance_m;
   request.parameters = scenario.planner.parameters;
   request.seed = scenario.seed;
