@@ -41,6 +41,7 @@ constexpr PeakKey kPeaks[] = {
     {"cross_track_working_m", &Peaks::cross_track_working_m},
     {"cross_track_turning_m", &Peaks::cross_track_turning_m},
     {"boundary_overrun_m", &Peaks::boundary_overrun_m},
+    {"belly_contact_m", &Peaks::belly_contact_m},
     {"implement_overhang_m", &Peaks::implement_overhang_m},
     {"battery_power_w", &Peaks::battery_power_w},
     {"roll_rad", &Peaks::roll_rad},

@@ -69,6 +69,8 @@ constexpr LimitKey kLimits[] = {
      [](Scenario& s) -> Limit& { return s.verdict.track_error_m_max; }},
     {"verdict.boundary_overrun_m_max", false, 1000.0,
      [](Scenario& s) -> Limit& { return s.verdict.boundary_overrun_m_max; }},
+    {"verdict.belly_contact_m_max", false, 10.0,
+     [](Scenario& s) -> Limit& { return s.verdict.belly_contact_m_max; }},
     {"verdict.reserve_soc_min", true, 1.0,
      [](Scenario& s) -> Limit& { return s.verdict.reserve_soc_min; }},
 };

@@ -31,6 +31,7 @@ struct VerdictLimits {
   Limit track_rms_working_m_max{0.05, 0.15};
   Limit track_error_m_max{0.30, 1.0};  // worst, implement down
   Limit boundary_overrun_m_max{0.05, 0.5};
+  Limit belly_contact_m_max{0.0, 0.05};
   Limit reserve_soc_min{0.20, 0.10};
 };
 

@@ -14,7 +14,7 @@ double& of(std::array<double, kEnergyCauses>& causes, EnergyCause cause) {
 StoredEnergy stored_energy(const ChassisMass& mass, const ChassisState& chassis,
                            const PerWheel<WheelDefinition>& wheels,
                            const PerWheel<WheelState>& states,
-                           const PerWheel<WheelContact>& contacts) {
+                           const PerWheel<WheelContact>& contacts, double belly_spring_j) {
   StoredEnergy stored;
   stored.grade_j = mass.mass_kg * kGravity_mps2 * chassis.p_WC.z();
   const Eigen::Vector3d omega_B = chassis.R_WB.transpose() * chassis.omega_W;
@@ -24,7 +24,7 @@ StoredEnergy stored_energy(const ChassisMass& mass, const ChassisState& chassis,
     stored.kinetic_j +=
         0.5 * wheels[i].inertia_kg_m2 * states[i].spin_rad_per_s * states[i].spin_rad_per_s;
   }
-  stored.spring_j = spring_energy_j(contacts, wheels);
+  stored.spring_j = spring_energy_j(contacts, wheels) + belly_spring_j;
   return stored;
 }
 
@@ -61,6 +61,11 @@ StepLosses step_losses(const StepWork& work) {
   of(cause_w, EnergyCause::kDrivetrain) = losses.motor_shaft_w - wheel_power_w;
   of(cause_w, EnergyCause::kDraft) =
       -work.draft_W.dot(point_velocity(v_mid, omega_mid, work.draft_arm));
+  for (std::size_t i = 0; i < work.belly.size(); ++i) {
+    const BellyContact& contact = work.belly[i];
+    const Eigen::Vector3d lossy_W = work.tyres.belly_W[i] + contact.damping_n * contact.normal;
+    of(cause_w, EnergyCause::kBelly) -= lossy_W.dot(point_velocity(v_mid, omega_mid, contact.arm));
+  }
   return losses;
 }
 

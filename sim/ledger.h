@@ -1,6 +1,8 @@
 // The energy ledger: where the battery's energy went, step by step.
 #pragma once
 
+#include <span>
+
 #include "sim/battery.h"
 #include "sim/chassis.h"
 #include "sim/drivetrain.h"
@@ -14,13 +16,13 @@ namespace headland {
 struct StoredEnergy {
   double grade_j = 0.0;    // potential energy of the whole machine
   double kinetic_j = 0.0;  // body and wheel spin
-  double spring_j = 0.0;   // vertical tyre springs
+  double spring_j = 0.0;   // vertical springs of the tyres and of the ground under the belly
 };
 
 StoredEnergy stored_energy(const ChassisMass& mass, const ChassisState& chassis,
                            const PerWheel<WheelDefinition>& wheels,
                            const PerWheel<WheelState>& states,
-                           const PerWheel<WheelContact>& contacts);
+                           const PerWheel<WheelContact>& contacts, double belly_spring_j = 0.0);
 
 // Everything that did work in a step, with the velocities before and after it.
 struct StepWork {
@@ -37,6 +39,7 @@ struct StepWork {
   double gear_ratio = 1.0;
   Eigen::Vector3d draft_W = Eigen::Vector3d::Zero();
   Eigen::Vector3d draft_arm = Eigen::Vector3d::Zero();
+  std::span<const BellyContact> belly{};
 };
 
 // Losses [W] of a step but for the battery's, by cause, each force taken at the mid-step velocity

@@ -53,7 +53,13 @@ struct Load {
 
 Machine make_machine(const Vehicle& vehicle, const Heightfield& terrain, const SoilMap& soil) {
   const ChassisMass mass = chassis_mass(vehicle);
-  return {vehicle, terrain, soil, mass, define_wheels(vehicle, mass), motor_layout(vehicle)};
+  return {vehicle,
+          terrain,
+          soil,
+          mass,
+          define_wheels(vehicle, mass),
+          motor_layout(vehicle),
+          make_belly(vehicle, mass, terrain)};
 }
 
 ChassisState place_on_ground(const Machine& machine, const Eigen::Vector2d& p_W,
@@ -98,8 +104,9 @@ StepReport step_machine(const Machine& machine, const DriverCommand& command, St
   const ChassisState& chassis = report.chassis;
   report.contacts = touch_ground(machine.terrain, chassis, machine.wheels,
                                  curvature_of(vehicle, steer.angle_rad));
-  report.stored =
-      stored_energy(machine.mass, chassis, machine.wheels, state.wheels, report.contacts);
+  report.belly = watch_belly(machine.belly, machine.terrain, chassis, dt_s, state.belly_clear_m);
+  report.stored = stored_energy(machine.mass, chassis, machine.wheels, state.wheels,
+                                report.contacts, belly_spring_j(machine.belly, report.belly));
 
   const double implement_w = implement_power_w(vehicle.implement, command);
   const double steering_w = steering_power_w(vehicle.steering, steer.rate_rad_per_s);
@@ -125,6 +132,9 @@ StepReport step_machine(const Machine& machine, const DriverCommand& command, St
     load.add(contact.load_n * contact.normal, contact.normal_arm);
     load.torque_W -= drivetrain.wheels[i].drive_nm * contact.axle;
   }
+  for (const BellyContact& contact : report.belly) {
+    load.add(contact.load_n * contact.normal, contact.arm);
+  }
   const double draft_scale = std::clamp(speed_mps / kDraftFullSpeed_mps, -1.0, 1.0);
   report.draft_n =
       vehicle.implement.draft_n_per_m * vehicle.implement.working_width_m * lowered * draft_scale;
@@ -145,14 +155,14 @@ StepReport step_machine(const Machine& machine, const DriverCommand& command, St
   for (std::size_t i = 0; i < kWheels; ++i) spin_before[i] = state.wheels[i].spin_rad_per_s;
   const TyreResult tyres =
       solve_tyres(report.contacts, machine.wheels, drivetrain.wheels, machine.soil, machine.mass,
-                  chassis, v_free, omega_free, dt_s, state.wheels);
+                  chassis, v_free, omega_free, dt_s, state.wheels, report.belly);
   world.step(load.force_W + tyres.force_W, load.torque_W + tyres.torque_W, dt_s);
 
   const ChassisState after = world.state();
   const StepLosses losses =
       step_losses({chassis, after, machine.wheels, report.contacts, drivetrain.wheels, spin_before,
                    state.wheels, tyres, machine.motors, drivetrain.motor_nm,
-                   vehicle.drivetrain.gear_ratio, draft_W, draft_arm});
+                   vehicle.drivetrain.gear_ratio, draft_W, draft_arm, report.belly});
   for (std::size_t i = 0; i < kEnergyCauses; ++i) {
     report.energy.cause_j[i] = dt_s * losses.cause_w[i];
   }

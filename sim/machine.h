@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/battery.h"
+#include "sim/belly.h"
 #include "sim/bullet_world.h"
 #include "sim/driver.h"
 #include "sim/drivetrain.h"
@@ -21,6 +22,7 @@ struct Machine {
   ChassisMass mass;
   PerWheel<WheelDefinition> wheels;
   MotorLayout motors;
+  Belly belly;
 };
 
 Machine make_machine(const Vehicle& vehicle, const Heightfield& terrain, const SoilMap& soil);
@@ -29,12 +31,14 @@ Machine make_machine(const Vehicle& vehicle, const Heightfield& terrain, const S
 struct MachineState {
   PerWheel<WheelState> wheels;
   BatteryState battery;
+  double belly_clear_m = 0.0;  // see watch_belly
 };
 
 // One step seen from outside: the state before it and what happened in it.
 struct StepReport {
   ChassisState chassis;  // before
   PerWheel<WheelContact> contacts;
+  std::vector<BellyContact> belly;
   StoredEnergy stored;  // before
   PerWheel<double> slip{};
   double motor_nm = 0.0;   // all motors

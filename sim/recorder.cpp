@@ -47,30 +47,24 @@ Place place_of(const ChassisState& chassis, const ChassisMass& mass) {
   return place;
 }
 
-// Whether the belly's corners are below the ground.
-bool belly_touches(const Machine& machine, const Place& place, const ChassisState& chassis) {
-  const Body& body = machine.vehicle.body;
-  for (const double x_m : {-body.rear_overhang_m, body.length_m - body.rear_overhang_m}) {
-    for (const double y_m : {-0.5 * body.width_m, 0.5 * body.width_m}) {
-      const Eigen::Vector3d probe =
-          place.p_WB + chassis.R_WB * Eigen::Vector3d(x_m, y_m, body.ground_clearance_m);
-      if (probe.z() < surface_at(machine.terrain, probe.x(), probe.y()).height_m) return true;
-    }
+void record_belly(Recorder& recorder, const StepReport& report, double time_s) {
+  const bool belly_down = !report.belly.empty();
+  Peaks& peaks = recorder.record.peaks;
+  if (belly_down && !recorder.belly_down) ++peaks.belly_contacts;
+  recorder.belly_down = belly_down;
+  for (const BellyContact& contact : report.belly) {
+    raise_peak(peaks.belly_contact_m, contact.depth_m, time_s,
+               (report.chassis.p_WC + contact.arm).head<2>());
   }
-  return false;
 }
 
-void check_hull(Recorder& recorder, const Place& place, const ChassisState& chassis,
-                double time_s) {
+void check_hull(Recorder& recorder, const Place& place, double time_s) {
   Peaks& peaks = recorder.record.peaks;
   const Overrun over = overrun(recorder.space, {place.p_WB.head<2>(), place.yaw_pitch_roll.x()});
   // Obstacles are Bullet's: touching one ends the run.
   if (over.limit == Limit::kBoundary || over.limit == Limit::kHole) {
     raise_peak(peaks.boundary_overrun_m, over.depth_m, time_s, over.p_W);
   }
-  const bool belly_down = belly_touches(recorder.machine, place, chassis);
-  if (belly_down && !recorder.belly_down) ++peaks.belly_contacts;
-  recorder.belly_down = belly_down;
   const Implement& implement = recorder.machine.vehicle.implement;
   const double reach_m = 0.5 * implement.working_width_m;
   for (const double y_m : {-reach_m, reach_m}) {
@@ -210,8 +204,9 @@ void record_step(Recorder& recorder, const StepReport& report, const MachineStat
   add(segment.energy, report.energy);
 
   raise_peaks(recorder, report, command, place, time_s);
+  record_belly(recorder, report, time_s);
   if (recorder.travel_m >= recorder.next_hull_check_m) {
-    check_hull(recorder, place, report.chassis, time_s);
+    check_hull(recorder, place, time_s);
     recorder.next_hull_check_m = recorder.travel_m + kHullCheckSpacing_m;
   }
   leave_footprint(recorder, place, command.working, time_s);

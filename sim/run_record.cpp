@@ -52,6 +52,8 @@ std::string_view energy_cause_name(EnergyCause cause) {
       return "lateral scrub";
     case EnergyCause::kSuspension:
       return "tyre damping";
+    case EnergyCause::kBelly:
+      return "belly contact";
     case EnergyCause::kDraft:
       return "draft";
     case EnergyCause::kImplement:

@@ -38,6 +38,7 @@ enum class EnergyCause {
   kSlip,        // longitudinal slip
   kScrub,       // lateral slip, steering scrub
   kSuspension,  // tyre damping
+  kBelly,       // the hull's underside on the ground: friction and damping
   kDraft,       // implement draft
   kImplement,   // shaft power and lifting
   kGrade,       // potential energy of the whole machine
@@ -112,13 +113,14 @@ struct Peaks {
   Peak cross_track_working_m;  // implement down
   Peak cross_track_turning_m;  // implement up
   Peak boundary_overrun_m;     // hull outside the boundary or in a hole, 0 when never
+  Peak belly_contact_m;        // hull's underside below the ground, 0 when never
   Peak implement_overhang_m;   // implement, up or down, beyond the boundary
   Peak battery_power_w;
   Peak roll_rad;
   Peak pitch_rad;
   Peak min_voltage_v;
   double motor_clipped_s = 0.0;  // time at a torque, power or battery limit
-  int belly_contacts = 0;
+  int belly_contacts = 0;        // times the belly came down on the ground
 };
 
 inline constexpr double kSustained_s = 0.5;

@@ -100,9 +100,11 @@ RunRecord simulate(const SimulationSetup& setup) {
   const ChassisState chassis = world.state();
   const auto contacts = touch_ground(setup.terrain, chassis, machine.wheels,
                                      curvature_of(setup.vehicle, driver.steer_rad));
+  const auto belly = touch_belly(machine.belly, setup.terrain, chassis).contacts;
   finish_record(recorder, report,
-                stored_energy(machine.mass, chassis, machine.wheels, state.wheels, contacts), state,
-                driver, command);
+                stored_energy(machine.mass, chassis, machine.wheels, state.wheels, contacts,
+                              belly_spring_j(machine.belly, belly)),
+                state, driver, command);
   return std::move(recorder.record);
 }
 

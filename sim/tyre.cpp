@@ -6,43 +6,6 @@
 namespace headland {
 namespace {
 
-// Chassis velocities while impulses accumulate.
-struct Motion {
-  Eigen::Vector3d v_W;
-  Eigen::Vector3d omega_W;
-  double inverse_mass = 0.0;
-  Eigen::Matrix3d inverse_inertia_W;
-
-  void add_impulse(const Eigen::Vector3d& impulse, const Eigen::Vector3d& angular) {
-    v_W += inverse_mass * impulse;
-    omega_W += angular;
-  }
-};
-
-// One scalar tyre force: how the chassis point moves along `direction` per unit impulse there.
-struct Row {
-  Eigen::Vector3d arm;
-  Eigen::Vector3d direction;
-  Eigen::Vector3d angular;  // change of omega per unit impulse
-  double mobility = 0.0;    // change of velocity along direction per unit impulse
-  double impulse = 0.0;
-
-  Row() = default;
-  Row(const Motion& motion, const Eigen::Vector3d& arm_in, const Eigen::Vector3d& direction_in)
-      : arm(arm_in), direction(direction_in) {
-    const Eigen::Vector3d moment = arm.cross(direction);
-    angular = motion.inverse_inertia_W * moment;
-    mobility = motion.inverse_mass + angular.dot(moment);
-  }
-  double velocity(const Motion& motion) const {
-    return direction.dot(point_velocity(motion.v_W, motion.omega_W, arm));
-  }
-  void apply(Motion& motion, double change) {
-    motion.add_impulse(change * direction, change * angular);
-    impulse += change;
-  }
-};
-
 // The tyre law linearised about the present deflection: F = stiffness * z.
 struct Bristle {
   double stiffness_x = 0.0;
@@ -71,8 +34,8 @@ double bristle_impulse(double stiffness, double z_m, double relax, double v_free
 }
 
 struct WheelRows {
-  Row x;
-  Row y;
+  ImpulseRow x;
+  ImpulseRow y;
   Eigen::Vector3d axle;
   Eigen::Vector3d brake_angular;  // change of omega per unit brake impulse on the wheel
   double spin_free = 0.0;         // predicted with the drive torque alone
@@ -170,7 +133,7 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
                        const PerWheel<WheelTorques>& torques, const SoilMap& soil,
                        const ChassisMass& mass, const ChassisState& chassis,
                        const Eigen::Vector3d& v_W, const Eigen::Vector3d& omega_W, double dt_s,
-                       PerWheel<WheelState>& states) {
+                       PerWheel<WheelState>& states, std::span<const BellyContact> belly) {
   Motion motion{
       v_W, omega_W, 1.0 / mass.mass_kg,
       chassis.R_WB * mass.inertia_kg_m2.cwiseInverse().asDiagonal() * chassis.R_WB.transpose()};
@@ -181,8 +144,8 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
     const WheelContact& contact = contacts[i];
     const WheelDefinition& wheel = wheels[i];
     WheelRows& row = rows[i];
-    row.x = Row(motion, contact.hub_arm, contact.along);
-    row.y = Row(motion, contact.lateral_arm, contact.across);
+    row.x = ImpulseRow(motion, contact.hub_arm, contact.along);
+    row.y = ImpulseRow(motion, contact.lateral_arm, contact.across);
     row.axle = contact.axle;
     row.brake_angular = -(motion.inverse_inertia_W * contact.axle);
     row.spin_free = states[i].spin_rad_per_s + dt_s * torques[i].drive_nm / wheel.inertia_kg_m2;
@@ -212,6 +175,11 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
     row.z_y_new = states[i].bristle_y_m;
   }
 
+  std::vector<BellyRows> belly_friction;
+  for (const BellyContact& contact : belly) {
+    belly_friction.push_back(belly_rows(contact, motion, dt_s));
+  }
+
   for (int iteration = 0; iteration < kTyreIterations; ++iteration) {
     for (std::size_t i = 0; i < kWheels; ++i) {
       WheelRows& row = rows[i];
@@ -225,6 +193,7 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
       solve_across(row, motion, states[i], bristle.stiffness_y, left_over, relax, dt_s);
       if (row.soil_limit > 0.0) solve_soil(row, motion);
     }
+    for (BellyRows& contact : belly_friction) solve_belly(contact, motion);
   }
 
   TyreResult result;
@@ -252,6 +221,14 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
     result.force_W += along + across;
     result.torque_W +=
         row.x.arm.cross(along) + row.y.arm.cross(across) - result.brake_nm[i] * contacts[i].axle;
+  }
+  for (const BellyRows& contact : belly_friction) {
+    const Eigen::Vector3d force_W = (contact.along.impulse * contact.along.direction +
+                                     contact.across.impulse * contact.across.direction) /
+                                    dt_s;
+    result.belly_W.push_back(force_W);
+    result.force_W += force_W;
+    result.torque_W += contact.along.arm.cross(force_W);
   }
   return result;
 }

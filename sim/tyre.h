@@ -1,6 +1,10 @@
 // Tyres: wheel spin and the forces along and across the wheels.
 #pragma once
 
+#include <span>
+#include <vector>
+
+#include "sim/belly.h"
 #include "sim/chassis.h"
 #include "sim/wheel.h"
 #include "terrains/soil_map.h"
@@ -22,10 +26,11 @@ struct WheelTorques {
 struct TyreResult {
   PerWheel<double> along_n{};  // on the chassis, along and across the wheel
   PerWheel<double> across_n{};
-  PerWheel<double> soil_n{};      // soil's resistance on the hub, along the wheel, signed
-  PerWheel<double> brake_nm{};    // on the wheel, signed
-  PerWheel<double> rolling_nm{};  // on the wheel, signed
-  PerWheel<double> slip{};        // 0..1, driving or braking
+  PerWheel<double> soil_n{};             // soil's resistance on the hub, along the wheel, signed
+  PerWheel<double> brake_nm{};           // on the wheel, signed
+  PerWheel<double> rolling_nm{};         // on the wheel, signed
+  PerWheel<double> slip{};               // 0..1, driving or braking
+  std::vector<Eigen::Vector3d> belly_W;  // friction on the chassis at each belly contact
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();  // all on the chassis, besides normal forces
   Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();
 };
@@ -37,12 +42,12 @@ struct TyreResult {
 //   F = N gross_pull(|u|) u / |u|,  u = (slip_stiffness z_x, z_y / gamma) / relaxation length,
 // whose steady state is the law itself in slip and, across, in slip angle over gamma (Crolla). The
 // tyre's own resistance is a Coulomb torque on the wheel, the soil's a Coulomb force on the hub.
-// Advances `states`.
+// Friction of the `belly` where it rests on the ground is solved with them. Advances `states`.
 TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
                        const PerWheel<WheelDefinition>& wheels,
                        const PerWheel<WheelTorques>& torques, const SoilMap& soil,
                        const ChassisMass& mass, const ChassisState& chassis,
                        const Eigen::Vector3d& v_W, const Eigen::Vector3d& omega_W, double dt_s,
-                       PerWheel<WheelState>& states);
+                       PerWheel<WheelState>& states, std::span<const BellyContact> belly = {});
 
 }  // namespace headland

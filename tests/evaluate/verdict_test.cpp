@@ -87,6 +87,9 @@ INSTANTIATE_TEST_SUITE_P(
         LimitCase{"boundary_overrun_m_max",
                   [](JudgedRun& r, double v) { r.record.peaks.boundary_overrun_m.value = v; }, 0.05,
                   0.06, 0.51, true},
+        LimitCase{"belly_contact_m_max",
+                  [](JudgedRun& r, double v) { r.record.peaks.belly_contact_m.value = v; }, 0.0,
+                  0.01, 0.06, true},
         LimitCase{"reserve_soc_min", [](JudgedRun& r, double v) { r.record.soc_end = v; }, 0.20,
                   0.19, 0.09, false}),
     [](const auto& test) { return std::string(test.param.figure); });

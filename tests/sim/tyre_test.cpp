@@ -9,7 +9,7 @@
 namespace headland {
 namespace {
 
-constexpr double kRounding = 1e-9;
+constexpr double kTyreRounding = 1e-9;
 
 // A rig that holds 1 m/s whatever the wheels do, each loaded and driven alike until nothing
 // changes.
@@ -98,7 +98,7 @@ TEST(Tyres, CombinedForceStaysInTheFrictionCircle) {
                                           {0.5, 2.0, 0.0}, chassis.omega_W, 1.0 / 240.0, states);
     for (std::size_t w = 0; w < kWheels; ++w) {
       EXPECT_LE(std::hypot(result.along_n[w], result.across_n[w]),
-                0.5 * 1500.0 * (1.0 + kRounding));
+                0.5 * 1500.0 * (1.0 + kTyreRounding));
     }
   }
 }
