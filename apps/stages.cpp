@@ -26,9 +26,11 @@ CoverageRaster coverage_of(const Job& job, const RunRecord& run) {
                           job.scenario.coverage_cell_m);
 }
 
-std::vector<std::string> notes_on(const Vehicle& vehicle) {
-  std::vector<std::string> notes = vehicle_notes(vehicle);
-  for (std::string& note : notes) note = fmt::format("vehicle {}: {}", vehicle.name, note);
+std::vector<std::string> notes_on(const Stage& stage) {
+  std::vector<std::string> notes = stage.notes;
+  for (const std::string& note : vehicle_notes(stage.vehicle)) {
+    notes.push_back(fmt::format("vehicle {}: {}", stage.vehicle.name, note));
+  }
   return notes;
 }
 
@@ -99,7 +101,7 @@ DriveResult drive_stage(const Job& job,
   const Field& field = job.stage.field;
   DriveResult result;
   result.path = read_path(job.folder / kPathFile, field);
-  result.notes = notes_on(job.stage.vehicle);
+  result.notes = notes_on(job.stage);
   result.run = simulate({field, job.stage.terrain, job.stage.soil, job.stage.vehicle, result.path,
                          job.scenario.simulation, progress});
   if (result.run.outcome == Outcome::kInterrupted) throw Interrupted{};

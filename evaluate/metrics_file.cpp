@@ -74,7 +74,7 @@ Json scenario_json(const RunReport& report) {
   json["field_area_m2"] = rounded(field_area_m2(report.field), 1);
   json["terrain"] = scenario.terrain.file.empty() ? scenario.terrain.generator
                                                   : scenario.terrain.file.filename().string();
-  json["soil"] = scenario.soil;
+  json["soil"] = soil_text(scenario.soil);
   json["vehicle"] = scenario.vehicle;
   json["working_width_m"] = scenario.working_width_m;
   json["planner"] = scenario.planner.name;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "evaluate/verdict.h"
 #include "planner/drivable_path.h"
@@ -12,6 +13,7 @@
 #include "sim/simulation.h"
 #include "terrains/field_source.h"
 #include "terrains/parameter.h"
+#include "terrains/soil_source.h"
 #include "terrains/terrain_source.h"
 
 namespace headland {
@@ -26,7 +28,7 @@ struct Scenario {
   std::string name;            // default: the file's stem
   FieldSource field;
   TerrainSource terrain;
-  std::string soil = "firm";
+  SoilSource soil;
   std::string vehicle;           // name of a built-in one or an absolute folder
   double working_width_m = 0.0;  // default: of the vehicle's implement
   PlannerChoice planner;
@@ -53,10 +55,11 @@ struct Stage {
   Field field;
   Heightfield terrain;
   SoilMap soil;
-  Vehicle vehicle;  // with the scenario's working width
+  Vehicle vehicle;                 // with the scenario's working width
+  std::vector<std::string> notes;  // for people: where a default stands in for data
 };
 
-// Throws InputError as read_field, read_terrain and load_vehicle do.
+// Throws InputError as read_field, read_terrain, read_soil and load_vehicle do.
 Stage load_stage(const Scenario& scenario);
 
 // What the scenario asks of its planner. The stage must outlive the request.

@@ -5,10 +5,10 @@
 
 #include "evaluate/scenario.h"
 #include "evaluate/scenario_keys.h"
+#include "evaluate/scenario_soil.h"
 #include "evaluate/yaml_section.h"
 #include "planner/planners.h"
 #include "terrains/input_error.h"
-#include "terrains/soil.h"
 #include "vehicle_models/vehicle_loader.h"
 
 namespace headland {
@@ -36,24 +36,6 @@ std::optional<YamlSection> numbers_section(const YamlSection& top, std::string_v
     read_numbers(*section, scenario);
   }
   return section;
-}
-
-std::string read_crs(const YamlSection& section) {
-  const std::string crs = read_word(section, "crs").value_or("");
-  if (crs.empty() || is_known_crs(crs)) return crs;
-  throw InputError(section.source, place_of(section, "crs"), crs,
-                   "unknown CRS; give an authority code such as EPSG:32615, WKT or PROJ");
-}
-
-fs::path read_file_name(const YamlSection& section, std::string_view key, const fs::path& folder) {
-  const auto name = read_word(section, key);
-  if (!name) return {};
-  const fs::path file = (folder / *name).lexically_normal();
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) {
-    throw InputError(section.source, place_of(section, key), file.string(), "no such file");
-  }
-  return file;
 }
 
 ObstacleKind read_obstacle_kind(const YamlSection& section) {
@@ -177,11 +159,6 @@ void read_terrain_source(const YamlSection& top, const fs::path& folder, Scenari
   numbers_section(section, "micro_relief", scenario);
 }
 
-std::string read_soil(const YamlSection& top, const std::string& default_name) {
-  const std::string name = read_word(top, "soil").value_or(default_name);
-  return soil_named(name, top.source, place_of(top, "soil")).name;
-}
-
 // The vehicle's name; a folder (told by its slash) starts at the scenario's own.
 std::string read_vehicle(const YamlSection& top, const fs::path& folder) {
   const auto name = read_word(top, "vehicle");
@@ -261,7 +238,7 @@ Scenario read_scenario(const fs::path& file, std::optional<std::uint64_t> seed) 
   scenario.field = read_field_source(top, folder);
   read_terrain_source(top, folder, scenario);
   if (seed) scenario.seed = scenario.terrain.seed = *seed;
-  scenario.soil = read_soil(top, scenario.soil);
+  scenario.soil = read_soil_source(top, folder);
   scenario.vehicle = read_vehicle(top, folder);
   scenario.working_width_m = load_vehicle(scenario.vehicle).implement.working_width_m;
   numbers_section(top, "implement", scenario);

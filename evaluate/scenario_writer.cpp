@@ -3,6 +3,7 @@
 
 #include "evaluate/scenario.h"
 #include "evaluate/scenario_keys.h"
+#include "evaluate/scenario_soil.h"
 
 namespace headland {
 namespace {
@@ -120,7 +121,8 @@ std::string scenario_yaml(const Scenario& given) {
   emit(out, "name", scenario.name);
   emit_field(out, scenario.field);
   emit_terrain(out, scenario);
-  emit(out, "soil", scenario.soil);
+  out << YAML::Key << "soil" << YAML::Value;
+  emit_soil(out, scenario.soil);
   emit(out, "vehicle", scenario.vehicle);
   emit_numbers_section(out, "implement", scenario);
   begin_section(out, "planner");

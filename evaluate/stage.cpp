@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
+#include <utility>
+
 #include "evaluate/scenario.h"
-#include "terrains/soil.h"
 #include "vehicle_models/vehicle_check.h"
 #include "vehicle_models/vehicle_loader.h"
 
@@ -12,8 +15,13 @@ Stage load_stage(const Scenario& scenario) {
   // Not after the scenario's file, which has another name among the results.
   if (scenario.field.file.empty()) stage.field.name = scenario.name;
   stage.terrain = read_terrain(scenario.terrain, stage.field, source);
-  // read_scenario has found the name in the table.
-  stage.soil = uniform_soil(*find_soil(scenario.soil));
+  SoilReading soil = read_soil(scenario.soil, stage.field, source);
+  stage.soil = std::move(soil.map);
+  if (soil.default_ratio > 0.0) {
+    stage.notes.push_back(
+        fmt::format("soil: {} says nothing about {:.3g} % of the field; {} holds there",
+                    soil_text(scenario.soil), 100.0 * soil.default_ratio, scenario.soil.soil.name));
+  }
   stage.vehicle = load_vehicle(scenario.vehicle);
   stage.vehicle.implement.working_width_m = scenario.working_width_m;
   check_vehicle(stage.vehicle, source);  // draft goes with the width

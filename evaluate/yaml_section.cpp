@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "terrains/geo_frame.h"
 #include "terrains/input_error.h"
 #include "terrains/input_file.h"
 
@@ -229,6 +230,25 @@ std::optional<std::vector<YamlSection>> read_sections(const YamlSection& section
     sections.push_back({section.source, joined(section.path, key), item});
   }
   return sections;
+}
+
+std::string read_crs(const YamlSection& section) {
+  const std::string crs = read_word(section, "crs").value_or("");
+  if (crs.empty() || is_known_crs(crs)) return crs;
+  throw InputError(section.source, place_of(section, "crs"), crs,
+                   "unknown CRS; give an authority code such as EPSG:32615, WKT or PROJ");
+}
+
+std::filesystem::path read_file_name(const YamlSection& section, std::string_view key,
+                                     const std::filesystem::path& folder) {
+  const auto name = read_word(section, key);
+  if (!name) return {};
+  const std::filesystem::path file = (folder / *name).lexically_normal();
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) {
+    throw InputError(section.source, place_of(section, key), file.string(), "no such file");
+  }
+  return file;
 }
 
 }  // namespace headland

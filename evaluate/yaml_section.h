@@ -53,6 +53,13 @@ std::optional<std::vector<std::vector<Eigen::Vector2d>>> read_point_lists(
 std::optional<std::vector<YamlSection>> read_sections(const YamlSection& section,
                                                       std::string_view key);
 
+// A CRS that GDAL understands; "" when the key is absent.
+std::string read_crs(const YamlSection& section);
+
+// The file that a key names, from `folder` on, which must exist; empty when the key is absent.
+std::filesystem::path read_file_name(const YamlSection& section, std::string_view key,
+                                     const std::filesystem::path& folder);
+
 // The number that a text holds, all of it, finite; nullopt for anything else.
 std::optional<double> parse_number(std::string_view text);
 

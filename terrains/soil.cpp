@@ -32,12 +32,24 @@ std::span<const Soil> soils() {
        "dry pavement: Pacejka B C D E 10, 1.9, 1, 0.97 (MAVS); Crr 0.015-0.02 assumed"},
       {"concrete_wet", Pavement{12.0, 2.3, 0.82, 1.0, 0.0175}, 0.09,
        "wet pavement: Pacejka B C D E 12, 2.3, 0.82, 1 (MAVS); Crr 0.015-0.02 assumed"},
+      {"hard", BrixiusSoil{1800.0}, 0.09, "ASABE D497 (Brixius), cone index 1800 kPa"},
       {"firm", BrixiusSoil{1200.0}, 0.09, "ASABE D497 (Brixius), cone index 1200 kPa"},
       {"tilled", BrixiusSoil{900.0}, 0.09, "ASABE D497 (Brixius), cone index 900 kPa"},
       {"soft", BrixiusSoil{450.0}, 0.09,
        "ASABE D497 (Brixius), soft or sandy soil, cone index 450 kPa"},
   };
   return known;
+}
+
+Soil soil_of_cone_index(double cone_index_kpa) {
+  return {fmt::format("cone index {:g} kPa", cone_index_kpa), BrixiusSoil{cone_index_kpa}, 0.09,
+          "given; ASABE D497 (Brixius)"};
+}
+
+Soil soil_of_constants(const ConstantGround& ground) {
+  return {fmt::format("friction {:g}, rolling resistance {:g}", ground.friction,
+                      ground.rolling_resistance),
+          ground, 0.09, "given"};
 }
 
 const Soil* find_soil(std::string_view name) {

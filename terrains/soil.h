@@ -36,6 +36,20 @@ struct Soil {
   std::string source;               // of the numbers
 };
 
+// Soils of the user's own numbers, named after them: "cone index 900 kPa".
+Soil soil_of_cone_index(double cone_index_kpa);
+Soil soil_of_constants(const ConstantGround& ground);
+
+// What the program takes for a soil's number.
+inline constexpr double kMinConeIndex_kpa = 1.0;
+inline constexpr double kMaxConeIndex_kpa = 20000.0;  // a cone penetrates no rock
+inline constexpr double kMaxFriction = 2.0;
+inline constexpr double kMaxRollingResistance = 1.0;
+inline constexpr double kMinSlipStiffness = 0.1;
+inline constexpr double kMaxSlipStiffness = 100.0;
+inline constexpr double kMinLateralGamma_rad = 0.01;
+inline constexpr double kMaxLateralGamma_rad = 1.0;
+
 // Every soil the program knows, in the order `headland list soils` prints them: hardest first.
 std::span<const Soil> soils();
 

@@ -56,7 +56,8 @@ TEST_F(ScenarioTest, NeedsOnlyAFieldAndAVehicle) {
   EXPECT_EQ(scenario.name, "field");
   EXPECT_EQ(scenario.field.boundary.size(), 4U);
   EXPECT_EQ(scenario.terrain.generator, "flat");
-  EXPECT_EQ(scenario.soil, "firm");
+  EXPECT_EQ(scenario.soil.soil.name, "firm");
+  EXPECT_TRUE(scenario.soil.file.empty());
   EXPECT_EQ(scenario.working_width_m, load_vehicle("transplanter").implement.working_width_m);
   EXPECT_EQ(scenario.simulation.rate_hz, SimulationOptions{}.rate_hz);
 }
