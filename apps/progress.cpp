@@ -32,6 +32,17 @@ void show_progress(ProgressLine& line, const SimulationProgress& progress) {
   std::fflush(stderr);
 }
 
+void show_share(ProgressLine& line, std::string_view what, double share) {
+  if (!line.shown) return;
+  const auto now = ProgressLine::Clock::now();
+  if (now - line.last < std::chrono::milliseconds(100)) return;
+  line.last = now;
+  const double wall_s = std::chrono::duration<double>(now - line.start).count();
+  fmt::print(stderr, "\r\x1b[K  {}  {:3.0f} %   {}", what, 100.0 * share,
+             share > 0.01 ? duration_text(wall_s * (1.0 - share) / share) + " left" : "");
+  std::fflush(stderr);
+}
+
 void end_progress(const ProgressLine& line) {
   if (line.shown) fmt::print(stderr, "\r\x1b[K");
 }

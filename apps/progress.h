@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <string_view>
 
 #include "sim/simulation.h"
 
@@ -22,6 +23,9 @@ ProgressLine start_progress(bool quiet);
 void show_progress(ProgressLine& line, const SimulationProgress& progress);
 
 // Clears the line.
+// The same for work that is not a drive: "measuring  40 %   12 s left".
+void show_share(ProgressLine& line, std::string_view what, double share);
+
 void end_progress(const ProgressLine& line);
 
 }  // namespace headland

@@ -67,6 +67,8 @@ constexpr Column<SegmentRecord> kSegmentColumns[] = {
     {"start_time_s", 4, [](SegmentRecord& s) -> double& { return s.start_time_s; }, 0.0},
     {"duration_s", 4, [](SegmentRecord& s) -> double& { return s.duration_s; }, 0.0},
     {"distance_m", 4, [](SegmentRecord& s) -> double& { return s.distance_m; }, 0.0},
+    {"scuffed_m2", 4, [](SegmentRecord& s) -> double& { return s.scuffed_m2; }, 0.0},
+    {"peak_power_w", 1, [](SegmentRecord& s) -> double& { return s.peak_power_w; }, 0.0},
     {"battery_j", 3, [](SegmentRecord& s) -> double& { return s.energy.battery_j; }},
 };
 
@@ -207,7 +209,7 @@ std::string segments_csv(const Path& path, const std::vector<SegmentRecord>& seg
   constexpr int kEnergyDecimals = 3;
   constexpr int kErrorDecimals = 6;
   Text text;
-  append(text, fmt::format("segment,manoeuvre,kind,gear,implement,{},{},track_rms_m\n",
+  append(text, fmt::format("segment,manoeuvre,kind,gear,implement,{},{},track_rms_m,slip_mean\n",
                            fmt::join(names_of<SegmentRecord>(kSegmentColumns), ","),
                            fmt::join(energy_keys(), ",")));
   for (const SegmentRecord& record : segments) {
@@ -220,11 +222,11 @@ std::string segments_csv(const Path& path, const std::vector<SegmentRecord>& seg
       text.push_back(',');
       append_number(text, cause_j, kEnergyDecimals);
     }
+    const double way_m = record.distance_m > 0.0 ? record.distance_m : 1.0;
     text.push_back(',');
-    append_number(
-        text,
-        record.distance_m > 0.0 ? std::sqrt(record.cross_track_sum_m3 / record.distance_m) : 0.0,
-        kErrorDecimals);
+    append_number(text, std::sqrt(record.cross_track_sum_m3 / way_m), kErrorDecimals);
+    text.push_back(',');
+    append_number(text, record.slip_sum_m / way_m, kErrorDecimals);
     text.push_back('\n');
   }
   return fmt::to_string(text);
@@ -236,13 +238,16 @@ std::vector<SegmentRecord> read_segments_csv(const std::filesystem::path& file, 
   for (const std::string& key : energy_keys()) columns.push_back({key});
   columns.push_back(kSegmentIndex);
   columns.push_back({"track_rms_m", 0.0, kMostInTable});
+  columns.push_back({"slip_mean", 0.0, 1.0});
   for (NumberColumn& column : columns) column.any = diverged && !column.whole;
   read_number_table(file, columns, [&](std::span<const double> values) {
     SegmentRecord& record = segments.emplace_back(row_of<SegmentRecord>(kSegmentColumns, values));
     std::copy_n(values.begin() + std::size(kSegmentColumns), kEnergyCauses,
                 record.energy.cause_j.begin());
-    record.segment = static_cast<int>(values[values.size() - 2]);
-    record.cross_track_sum_m3 = values.back() * values.back() * record.distance_m;
+    const auto last = values.last<3>();
+    record.segment = static_cast<int>(last[0]);
+    record.cross_track_sum_m3 = last[1] * last[1] * record.distance_m;
+    record.slip_sum_m = last[2] * record.distance_m;
   });
   return segments;
 }

@@ -13,11 +13,11 @@ packages=(
   # maps, geometry, curves
   libgdal-dev libgeos-dev libompl-dev
   # numerics
-  libboost-dev
+  libboost-dev libtbb-dev
   # files and the command line
   liburdfdom-dev libtinyxml-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev
   # pictures
-  libosmesa6-dev libassimp-dev libpng-dev libfreetype-dev fonts-dejavu-core
+  libosmesa6-dev libassimp-dev libpng-dev libfreetype-dev fonts-dejavu-core gnuplot-nox
   # tests and benchmarks
   libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
 )

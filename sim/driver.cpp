@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/arcs.h"
 #include "sim/chassis.h"
 
 namespace headland {
@@ -16,24 +17,43 @@ constexpr double kSpeedIntegralGain_per_s2 = 1.5;
 constexpr double kSpeedIntegralMax_mps2 = 6.0;
 constexpr double kYawGain_per_s = 30.0;
 constexpr double kYawIntegralGain_per_s2 = 300.0;
+constexpr double kPivotReady_rad = 0.02;     // heading error at which a pivot is done
+constexpr double kPivotGain_per_s = 2.0;     // yaw rate per heading error, up to the limit
 constexpr double kReferenceLead_mps = 0.3;   // the reference waits for a vehicle that lags by this
 constexpr double kLeastLateralShare = 0.25;  // of the lateral acceleration, kept on any side slope
+
+bool works_at(const Route& route, std::size_t point) {
+  return route.works[static_cast<std::size_t>(route.points[point].segment)];
+}
 
 // Whether a working segment begins within `distance_m` ahead in this run.
 bool work_ahead(const Route& route, const RoutePlace& place, double distance_m) {
   for (std::size_t i = place.index; i < route.runs[place.run].last; ++i) {
     if (route.points[i].along_m > place.along_m + distance_m) return false;
-    if (route.works[static_cast<std::size_t>(route.points[i].segment)]) return true;
+    if (works_at(route, i)) return true;
   }
   return false;
 }
 
-void move_implement(const Route& route, const Implement& implement, const DriverView& view,
-                    double dt_s, DriverState& state, DriverCommand& command) {
-  const bool works = route.works[static_cast<std::size_t>(command.segment)];
+// Angle [rad] that a skid-steered vehicle has to turn on the spot before it starts its run; 0 when
+// it points the right way.
+double heading_to_turn(const Route& route, const Vehicle& vehicle, const DriverView& view,
+                       const DriverState& state) {
+  if (vehicle.steering.kind != SteeringKind::kSkid) return 0.0;
+  const RouteRun& run = route.runs[state.place.run];
+  const double to_turn_rad = wrap_angle(route.points[run.first].heading_rad - view.yaw_rad);
+  return std::abs(to_turn_rad) > kPivotReady_rad ? to_turn_rad : 0.0;
+}
+
+void move_implement(const Route& route, const Vehicle& vehicle, const DriverView& view, double dt_s,
+                    DriverState& state, DriverCommand& command) {
+  const Implement& implement = vehicle.implement;
+  const bool works = works_at(route, state.place.index);
   const double lift_step = implement.lift_time_s > 0.0 ? dt_s / implement.lift_time_s : 1.0;
+  const bool pivoting = state.starting && heading_to_turn(route, vehicle, view, state) != 0.0;
   const bool lower =
-      works || work_ahead(route, state.place, std::abs(view.speed_mps) * implement.lift_time_s);
+      !pivoting &&
+      (works || work_ahead(route, state.place, std::abs(view.speed_mps) * implement.lift_time_s));
   command.lifting = !lower && state.lowered > 0.0;
   state.lowered = std::clamp(state.lowered + (lower ? lift_step : -lift_step), 0.0, 1.0);
   command.working = works && state.lowered >= 1.0;
@@ -85,10 +105,10 @@ double wheel_torque(const Route& route, const Vehicle& vehicle, const DriverView
   return force_n * (vehicle.rear.driven ? vehicle.rear.radius_m : vehicle.front.radius_m);
 }
 
-// Couple [N m] that brings a skid-steered vehicle to the yaw rate it is steered to, against the
-// scrub of its wheels, which the integral finds.
-double yaw_torque(const Vehicle& vehicle, const DriverView& view, double dt_s, DriverState& state) {
-  const double wanted_rad_per_s = view.speed_mps * curvature_of(vehicle, state.steer_rad);
+// Couple [N m] that brings a skid-steered vehicle to a yaw rate against the scrub of its wheels,
+// which the integral finds.
+double yaw_torque(const Vehicle& vehicle, const DriverView& view, double wanted_rad_per_s,
+                  double dt_s, DriverState& state) {
   const double error_rad_per_s = wanted_rad_per_s - view.yaw_rate_rad_per_s;
   const double inertia_kg_m2 = vehicle.body.inertia_kg_m2.z();
   // No couple beyond what wheels of full grip could give.
@@ -123,7 +143,7 @@ DriverCommand drive(const Route& route, const Vehicle& vehicle, const DriverView
 
   DriverCommand command;
   command.segment = route.points[state.place.index].segment;
-  move_implement(route, vehicle.implement, view, dt_s, state, command);
+  move_implement(route, vehicle, view, dt_s, state, command);
 
   const RouteRun& run = route.runs[state.place.run];
   if (route.points[run.last].along_m - state.place.along_m <= kStopWithin_m) {
@@ -132,13 +152,24 @@ DriverCommand drive(const Route& route, const Vehicle& vehicle, const DriverView
     return command;
   }
   if (state.starting) {
-    state.starting = std::abs(wanted_rad - state.steer_rad) > kSteerReady_rad;
+    const double to_turn_rad = heading_to_turn(route, vehicle, view, state);
+    if (to_turn_rad != 0.0) {
+      const double most_rad_per_s = vehicle.steering.max_yaw_rate_rad_per_s;
+      const double rate_rad_per_s =
+          std::clamp(kPivotGain_per_s * to_turn_rad, -most_rad_per_s, most_rad_per_s);
+      command.yaw_torque_nm = yaw_torque(vehicle, view, rate_rad_per_s, dt_s, state);
+      return command;
+    }
+    const bool lowering = works_at(route, state.place.index) && state.lowered < 1.0;
+    state.yaw_integral_rad = 0.0;
+    state.starting = lowering || std::abs(wanted_rad - state.steer_rad) > kSteerReady_rad;
     command.hold = state.starting;
     if (command.hold) return command;
   }
   command.wheel_torque_nm = wheel_torque(route, vehicle, view, mass_kg, dt_s, state);
   if (vehicle.steering.kind == SteeringKind::kSkid) {
-    command.yaw_torque_nm = yaw_torque(vehicle, view, dt_s, state);
+    const double rate_rad_per_s = view.speed_mps * curvature_of(vehicle, state.steer_rad);
+    command.yaw_torque_nm = yaw_torque(vehicle, view, rate_rad_per_s, dt_s, state);
   }
   return command;
 }

@@ -18,7 +18,7 @@ struct DriverState {
   double speed_integral_m = 0.0;
   double yaw_integral_rad = 0.0;  // of a skid-steered vehicle
   double lowered = 0.0;           // implement: 0 up, 1 down
-  bool starting = true;           // waits at a run's start until the wheels point the right way
+  bool starting = true;  // stands at a run's start until wheels, heading and implement are ready
   bool finished = false;
 };
 
@@ -38,7 +38,9 @@ DriverState at_start(const Route& route, double steering_latency_s, double rate_
 // One step of the driver. Speed is regulated by the route's limits and, where the vehicle is, by
 // the lateral acceleration of its actual steering angle together with the side slope's pull.
 // Steering turns at its rate limit towards `steer_along`; a skid-steered vehicle is turned by a
-// couple that holds the yaw rate of the same angle.
+// couple that holds the yaw rate of the same angle. Where a run starts it waits for its wheels to
+// point the right way and for the implement to be down if it works there; where the path turns on
+// the spot, a skid-steered vehicle pivots first, implement raised.
 DriverCommand drive(const Route& route, const Vehicle& vehicle, const DriverView& view,
                     double mass_kg, double dt_s, DriverState& state);
 

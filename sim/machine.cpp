@@ -191,6 +191,9 @@ StepReport step_machine(const Machine& machine, const DriverCommand& command, St
   charge(report.energy, EnergyCause::kAuxiliary, dt_s * vehicle.battery.auxiliary_power_w);
   charge(report.energy, EnergyCause::kImplement, dt_s * implement_w);
   report.slip = tyres.slip;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    report.scuffing_m2_per_s += machine.wheels[i].tyre.width_m * tyres.sliding_mps[i];
+  }
   report.clipped = drivetrain.clipped;
   return report;
 }

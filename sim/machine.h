@@ -41,9 +41,10 @@ struct StepReport {
   std::vector<BellyContact> belly;
   StoredEnergy stored;  // before
   PerWheel<double> slip{};
-  double motor_nm = 0.0;   // all motors
-  double motor_w = 0.0;    // electrical, into the inverters
-  double battery_w = 0.0;  // at the terminals
+  double scuffing_m2_per_s = 0.0;  // ground that the treads slide over
+  double motor_nm = 0.0;           // all motors
+  double motor_w = 0.0;            // electrical, into the inverters
+  double battery_w = 0.0;          // at the terminals
   double battery_v = 0.0;
   double draft_n = 0.0;
   bool clipped = false;

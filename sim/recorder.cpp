@@ -201,6 +201,9 @@ void record_step(Recorder& recorder, const StepReport& report, const MachineStat
   segment.duration_s += recorder.dt_s;
   segment.distance_m += step_m;
   segment.cross_track_sum_m3 += cross_track_m * cross_track_m * step_m;
+  segment.scuffed_m2 += report.scuffing_m2_per_s * recorder.dt_s;
+  segment.slip_sum_m += worst_driven_slip(recorder.machine, report.slip) * step_m;
+  segment.peak_power_w = std::max(segment.peak_power_w, report.battery_w);
   add(segment.energy, report.energy);
 
   raise_peaks(recorder, report, command, place, time_s);

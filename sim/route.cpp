@@ -10,6 +10,7 @@
 namespace headland {
 namespace {
 
+constexpr double kPivot_rad = 0.05;     // between headings of a path: turned on the spot
 constexpr double kSearchAhead_m = 0.5;  // how far ahead the nearest place is looked for in a step
 
 double kind_speed_mps(const Driver& driver, const PathSegment& segment) {
@@ -25,8 +26,12 @@ double kind_speed_mps(const Driver& driver, const PathSegment& segment) {
 double gear_sign(const RouteRun& run) { return run.gear == Gear::kForward ? 1.0 : -1.0; }
 
 // Appends a segment's points; those at the place of the point before them are left out.
-void append(Route& route, const PathSegment& segment, int number, double speed_mps) {
-  const bool new_run = route.runs.empty() || route.runs.back().gear != segment.gear;
+// A vehicle that `pivots` turns on the spot where a segment begins with another heading.
+void append(Route& route, const PathSegment& segment, int number, double speed_mps, bool pivots) {
+  const bool new_run =
+      route.runs.empty() || route.runs.back().gear != segment.gear ||
+      (pivots && std::abs(wrap_angle(segment.points.front().heading_rad -
+                                     route.points.back().heading_rad)) > kPivot_rad);
   for (std::size_t i = 0; i < segment.points.size(); ++i) {
     const PathPoint& point = segment.points[i];
     RoutePoint stop;
@@ -142,7 +147,8 @@ Route make_route(const Path& path, const Vehicle& vehicle) {
   for (std::size_t s = 0; s < path.segments.size(); ++s) {
     const PathSegment& segment = path.segments[s];
     route.works.push_back(segment.implement_down);
-    append(route, segment, static_cast<int>(s), kind_speed_mps(vehicle.driver, segment));
+    append(route, segment, static_cast<int>(s), kind_speed_mps(vehicle.driver, segment),
+           vehicle.steering.kind == SteeringKind::kSkid);
   }
   std::erase_if(route.runs, [](const RouteRun& run) { return run.last <= run.first; });
   if (route.runs.empty()) {

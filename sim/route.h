@@ -11,7 +11,8 @@
 namespace headland {
 
 // Points of consecutive segments of one gear make a run, which is driven from standstill to
-// standstill.
+// standstill. For a skid-steered vehicle a jump of the heading between segments, where it turns on
+// the spot, also begins one.
 struct RoutePoint {
   Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
   double heading_rad = 0.0;      // of the body's x axis, without jumps within a run

@@ -98,6 +98,9 @@ struct SegmentRecord {
   double distance_m = 0.0;
   EnergyBalance energy;
   double cross_track_sum_m3 = 0.0;  // integral of squared error over distance [m3]
+  double scuffed_m2 = 0.0;          // tread width times the way it slid, all wheels
+  double slip_sum_m = 0.0;          // integral of the driven wheels' worst slip over distance
+  double peak_power_w = 0.0;        // at the battery's terminals
 };
 
 // An extreme or an incident, at full time resolution.

@@ -210,6 +210,9 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
     const double relax = relaxation(row, dt_s);
     state.bristle_x_m = (state.bristle_x_m + dt_s * contact_mps) / relax;
     state.bristle_y_m = (state.bristle_y_m + dt_s * row.y.velocity(motion)) / relax;
+    // What of the contact's velocity does not go into the bristles.
+    result.sliding_mps[i] = row.relax_speed_mps / kRelaxationLength_m *
+                            std::hypot(state.bristle_x_m, state.bristle_y_m);
     result.along_n[i] = row.x.impulse / dt_s;
     result.across_n[i] = row.y.impulse / dt_s;
     result.brake_nm[i] = row.brake_share * row.coulomb_impulse / dt_s;

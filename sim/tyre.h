@@ -30,6 +30,7 @@ struct TyreResult {
   PerWheel<double> brake_nm{};           // on the wheel, signed
   PerWheel<double> rolling_nm{};         // on the wheel, signed
   PerWheel<double> slip{};               // 0..1, driving or braking
+  PerWheel<double> sliding_mps{};        // of the tread over the ground, any direction
   std::vector<Eigen::Vector3d> belly_W;  // friction on the chassis at each belly contact
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();  // all on the chassis, besides normal forces
   Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();
