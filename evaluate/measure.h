@@ -11,7 +11,7 @@ namespace headland {
 
 struct MeasureOptions {
   ManoeuvreRanges ranges;
-  MicroRelief micro_relief{0.02, 1.0};
+  MicroRelief micro_relief{0.01, 1.0};
   int repeats = 5;
   std::uint64_t seed = 1;
   double rate_hz = 240.0;

@@ -85,10 +85,30 @@ PerMotor<double> split_torque(const Vehicle& vehicle, const MotorLayout& layout,
     }
     const Axle& axle = i < 2 ? vehicle.rear : vehicle.front;
     const double side = i % 2 == 0 ? -1.0 : 1.0;
-    share_nm =
-        (total_nm + side * yaw_torque_nm * axle.radius_m / (0.5 * axle.track_m)) / layout.motors;
+    const double onward_nm = total_nm / layout.motors;
+    const double couple_nm =
+        side * yaw_torque_nm * axle.radius_m / (0.5 * axle.track_m) / layout.motors;
+    // Headway comes first: a vehicle that scrubs on the spot turns easier once it moves.
+    const double most_nm =
+        vehicle.motor.max_torque_nm * vehicle.drivetrain.gear_ratio * vehicle.drivetrain.efficiency;
+    const double left_nm = std::max(0.0, most_nm - std::abs(onward_nm));
+    share_nm = onward_nm + std::clamp(couple_nm, -left_nm, left_nm);
   }
   return torque_nm;
+}
+
+void limit_slip(const Vehicle& vehicle, const MotorLayout& layout,
+                const PerWheel<WheelDefinition>& wheels, const PerWheel<double>& rim_mps,
+                const PerWheel<double>& hub_mps, PerMotor<double>& wheel_torque_nm) {
+  if (!vehicle.drivetrain.motor_per_wheel) return;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    if (layout.motor_of[i] < 0) continue;
+    const double free_mps = std::max(kFreeSlip * std::abs(hub_mps[i]), kFreeSlipSpeed_mps);
+    const double slip_mps = rim_mps[i] - hub_mps[i];
+    const double beyond_mps = slip_mps - std::clamp(slip_mps, -free_mps, free_mps);
+    wheel_torque_nm[static_cast<std::size_t>(layout.motor_of[i])] -=
+        kSlipGain_per_s * wheels[i].inertia_kg_m2 * beyond_mps / wheels[i].radius_m;
+  }
 }
 
 DrivetrainCommand command_drive(const Vehicle& vehicle, const MotorLayout& layout,

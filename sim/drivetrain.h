@@ -46,9 +46,21 @@ struct DriveRequest {
 };
 
 // Wheel torque [N m] of each motor for a force along the vehicle and a couple about its z axis,
-// which only a vehicle with motors on both sides can give.
+// which only a vehicle with motors on both sides can give: what their torque limit leaves beside
+// the force.
 PerMotor<double> split_torque(const Vehicle& vehicle, const MotorLayout& layout, double total_nm,
                               double yaw_torque_nm);
+
+// What the controllers of motors at the wheels do: a wheel whose rim is faster or slower than the
+// ground under its hub by more than kFreeSlip of the ground speed gets torque against it, in
+// proportion to what is beyond. `rim_mps` and `hub_mps` are along the wheel. Without it a light
+// wheel of a motor of its own spins up. One motor for all wheels is left alone.
+void limit_slip(const Vehicle& vehicle, const MotorLayout& layout,
+                const PerWheel<WheelDefinition>& wheels, const PerWheel<double>& rim_mps,
+                const PerWheel<double>& hub_mps, PerMotor<double>& wheel_torque_nm);
+inline constexpr double kFreeSlip = 0.15;  // more than any soil's best pull needs but sand's
+inline constexpr double kFreeSlipSpeed_mps = 0.1;  // and at any speed
+inline constexpr double kSlipGain_per_s = 30.0;    // speed loop: wheel inertia times this
 
 // What one step does to motors and wheels.
 struct DrivetrainCommand {
