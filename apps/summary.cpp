@@ -10,6 +10,7 @@
 
 #include "apps/terminal_text.h"
 #include "evaluate/duration_text.h"
+#include "terrains/geo_frame.h"
 #include "vehicle_models/vehicle_figures.h"
 
 namespace headland {
@@ -112,10 +113,31 @@ std::string kind_table(const Metrics& metrics) {
   return text;
 }
 
-std::string verdict_text(const Verdict& verdict) {
-  std::string text = fmt::format("\nverdict: {}\n", grade_name(verdict.grade));
+// Where the reason's place is on the earth, for those who go and look.
+std::string on_earth(const Field& field, const Reason& reason) {
+  if (!field.frame.georeferenced || !reason.p_W || !reason.p_W->allFinite()) return "";
+  const Eigen::Vector2d lon_lat_deg = wgs84_from_local(field.frame, {*reason.p_W}).front();
+  return fmt::format(" [lon {:.6f}, lat {:.6f}]", lon_lat_deg.x(), lon_lat_deg.y());
+}
+
+std::string judged_table(const Job& job, const DriveResult& result) {
+  std::string text = fmt::format("\n  {:<40}{:>10}{:>20}{:>12}\n", "judged", "", "warns", "fails");
+  for (const JudgedFigure& figure :
+       judged_figures(result.run, result.metrics, job.scenario.verdict)) {
+    text += fmt::format("  {:<40}{:>10}{:>11}{:>9}{:>12}   {}\n", figure.what, figure.value,
+                        figure.at_least ? "below" : "above", figure.warn, figure.fail,
+                        grade_name(figure.grade));
+  }
+  return text;
+}
+
+std::string verdict_text(const Job& job, const DriveResult& result) {
+  const Verdict& verdict = result.verdict;
+  std::string text =
+      judged_table(job, result) + fmt::format("\nverdict: {}\n", grade_name(verdict.grade));
   for (const Reason& reason : verdict.reasons) {
-    text += fmt::format("  {:<5} {}\n", grade_name(reason.grade), reason.text);
+    text += fmt::format("  {:<5} {}{}\n", grade_name(reason.grade), reason.text,
+                        on_earth(job.stage.field, reason));
   }
   return text;
 }
@@ -160,7 +182,7 @@ std::string charge_change_text(double delta_soc) {
 
 std::string run_summary(const Job& job, const DriveResult& result) {
   return headline(job) + "\n" + figures(job.stage.vehicle, result) + energy_table(result.run) +
-         kind_table(result.metrics) + verdict_text(result.verdict) + notes_text(result.notes);
+         kind_table(result.metrics) + verdict_text(job, result) + notes_text(result.notes);
 }
 
 std::string path_notes(const Path& path) {

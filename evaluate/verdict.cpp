@@ -171,6 +171,18 @@ Verdict judge(const Path& path, const RunRecord& run, const Metrics& metrics,
   return verdict;
 }
 
+std::vector<JudgedFigure> judged_figures(const RunRecord& run, const Metrics& metrics,
+                                         const VerdictLimits& limits) {
+  std::vector<JudgedFigure> figures;
+  for (const Check& check : checks(run, metrics, limits)) {
+    figures.push_back({grade_of(check.value, check.limit, check.better), std::string(check.subject),
+                       with_unit(check.value, check.unit, 0),
+                       with_unit(check.limit.warn, check.unit, 0),
+                       with_unit(check.limit.fail, check.unit, 0), check.better == Better::kMore});
+  }
+  return figures;
+}
+
 std::string_view grade_name(Grade grade) {
   switch (grade) {
     case Grade::kPass:

@@ -57,6 +57,18 @@ struct Verdict {
 Verdict judge(const Path& path, const RunRecord& run, const Metrics& metrics,
               const VerdictLimits& limits);
 
+// Every figure that judge() compares with a limit, in words, whatever came of it.
+struct JudgedFigure {
+  Grade grade = Grade::kPass;
+  std::string what;   // "Wheel slip"
+  std::string value;  // with unit
+  std::string warn;   // limits, likewise
+  std::string fail;
+  bool at_least = false;  // the limits are lower ones
+};
+std::vector<JudgedFigure> judged_figures(const RunRecord& run, const Metrics& metrics,
+                                         const VerdictLimits& limits);
+
 std::string_view grade_name(Grade grade);
 
 }  // namespace headland
