@@ -51,7 +51,7 @@ void add_size_option(CLI::App& command, CommonOptions& options);
 Job make_job(const std::filesystem::path& file, const std::filesystem::path& folder,
              const CommonOptions& options);
 
-// Throws InputError unless both sides are within 240..8192.
+// Throws InputError unless it is within 640x400..8192x8192.
 PictureSize picture_size(const CommonOptions& options);
 
 // Drives the job's path with progress on the terminal.

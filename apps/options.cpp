@@ -15,6 +15,11 @@ namespace headland {
 
 namespace {
 
+// On smaller pictures the legend has no room.
+constexpr int kLeastWidth = 640;
+constexpr int kLeastHeight = 400;
+constexpr int kMostPixels = 8192;
+
 // CLI11 takes -1 for the largest number and cuts off what is too large.
 std::string whole_number_fault(const std::string& given) {
   std::uint64_t value = 0;
@@ -40,7 +45,9 @@ void add_record_option(CLI::App& command, CommonOptions& options) {
 }
 
 void add_size_option(CLI::App& command, CommonOptions& options) {
-  command.add_option("--size", options.size, "Pixels of the pictures, as 1600x1000");
+  command.add_option("--size", options.size,
+                     fmt::format("Pixels of the pictures, from {}x{} to {}x{} (default: 1600x1000)",
+                                 kLeastWidth, kLeastHeight, kMostPixels, kMostPixels));
 }
 
 Job make_job(const std::filesystem::path& file, const std::filesystem::path& folder,
@@ -66,18 +73,17 @@ Job make_job(const std::filesystem::path& file, const std::filesystem::path& fol
 }
 
 PictureSize picture_size(const CommonOptions& options) {
-  constexpr int kLeast = 240;  // the pictures refuse less
-  constexpr int kMost = 8192;
   PictureSize size;
   if (options.size.empty()) return size;
   int read = 0;
   const bool parsed =
       std::sscanf(options.size.c_str(), "%5dx%5d%n", &size.width, &size.height, &read) == 2 &&
       static_cast<std::size_t>(read) == options.size.size();
-  const auto fits = [](int pixels) { return pixels >= kLeast && pixels <= kMost; };
-  if (!parsed || !fits(size.width) || !fits(size.height)) {
+  const auto fits = [](int pixels, int least) { return pixels >= least && pixels <= kMostPixels; };
+  if (!parsed || !fits(size.width, kLeastWidth) || !fits(size.height, kLeastHeight)) {
     throw InputError("--size", "", options.size,
-                     fmt::format("WIDTHxHEIGHT, each from {} to {} pixels", kLeast, kMost));
+                     fmt::format("WIDTHxHEIGHT from {}x{} to {}x{} pixels", kLeastWidth,
+                                 kLeastHeight, kMostPixels, kMostPixels));
   }
   return size;
 }

@@ -6,6 +6,7 @@
 #include "apps/commands.h"
 #include "apps/summary.h"
 #include "apps/terminal_text.h"
+#include "evaluate/results.h"
 #include "terrains/json_text.h"
 
 namespace headland {
@@ -13,7 +14,12 @@ namespace {
 
 int plan(const CommonOptions& options) {
   const Job job = make_job(options.scenario, options.folder, options);
+  const bool had_run = std::filesystem::exists(job.folder / kRunFile);
   const PlanResult result = plan_stage(job);
+  if (had_run && !options.quiet) {
+    fmt::print(stderr, "headland: removed what an earlier drive had left in {}\n",
+               terminal_text(job.folder.string()));
+  }
   if (options.json) {
     fmt::print("{}\n", json_text(plan_summary_json(job, result), 2));
   } else if (!options.quiet) {
@@ -32,8 +38,8 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", options->folder, "Folder for the results")->required();
   add_scenario_options(*command, *options);
   command->footer(
-      "Example:\n  headland plan examples/demo.yaml -o out/demo\n\n"
-      "Writes scenario.yaml, plan.geojson and path.geojson; 'headland drive out/demo' goes on.\n"
+      "Example:\n  headland plan examples/demo.yaml -o out/plan\n\n"
+      "Writes scenario.yaml, plan.geojson and path.geojson; 'headland drive out/plan' goes on.\n"
       "Exits with 0, 2 when there is no plan or the input is bad, 130 after Ctrl-C.");
   command->callback([options, &exit_code] { exit_code = plan(*options); });
 }

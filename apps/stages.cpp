@@ -128,7 +128,10 @@ void draw_stage(const Job& job, const PictureSize& size) {
     const Path path = read_path(job.folder / kPathFile, stage.field);
     const RunRecord run = read_run(job.folder, path);
     const CoverageRaster coverage = coverage_of(job, run);
-    const PictureScene scene{stage.field, stage.terrain, stage.vehicle, path, run, coverage};
+    const Verdict verdict =
+        judge(path, run, measure_run(path, run, coverage_figures(coverage)), job.scenario.verdict);
+    const PictureScene scene{stage.field, stage.terrain, stage.vehicle, path,
+                             run,         coverage,      &verdict};
     pictures = {{kFieldPicture, png_of(draw_field_map(scene, size))},
                 {kViewPicture, png_of(draw_view(scene, size))},
                 {kEnergyPicture, png_of(draw_energy_map(scene, size))}};

@@ -62,9 +62,9 @@ std::string figures(const Vehicle& vehicle, const DriveResult& result) {
              std::isfinite(m.energy_wh_per_ha) ? fmt::format("{:.0f} Wh/ha", m.energy_wh_per_ha)
                                                : "") +
          row("state of charge", charge_change_text(m.delta_soc),
-             fmt::format("{:.1f} % to {:.1f} %, lowest {:.1f} V under load",
+             fmt::format("{:.1f} % to {:.1f} %, empty at {:.0f} %; lowest {:.1f} V under load",
                          100.0 * result.run.soc_start, 100.0 * result.run.soc_end,
-                         peaks.min_voltage_v.value)) +
+                         100.0 * vehicle.battery.empty_soc, peaks.min_voltage_v.value)) +
          row("turns", fmt::format("{}", m.turns), fmt::format("and {} U-turns", m.u_turns)) +
          row("worst slip", percent(m.worst_slip), place(peaks.slip)) +
          row("load transfer", fmt::format("{:.2f}", m.worst_load_transfer),

@@ -79,6 +79,9 @@ void add_limits(const Vehicle& vehicle, const Soil& soil, Figures& out) {
           fmt::format("{:.1f}° downhill", down));
   out.add("turning_radius_m", min_turning_radius_m(vehicle), "Turning radius",
           fmt::format("{:.2f} m", min_turning_radius_m(vehicle)));
+  out.add("planning_radius_m", planning_turning_radius_m(vehicle), "Plans turn with",
+          fmt::format("{:.2f} m, to leave steering for corrections",
+                      planning_turning_radius_m(vehicle)));
   out.add("top_speed_mps", top_speed_mps(vehicle), "Top speed",
           fmt::format("{:.2f} m/s", top_speed_mps(vehicle)));
   const SoilFigures on_soil = figures_on(vehicle, soil);
@@ -113,8 +116,9 @@ Figures figures_of(const Vehicle& vehicle, const Soil& soil) {
   add_endurance(vehicle, soil, false, figures);
   add_endurance(vehicle, soil, true, figures);
   figures.add("battery_wh", nominal_energy_wh(vehicle.battery), "Battery",
-              fmt::format("{:.1f} kWh, {:.0f} V", 1e-3 * nominal_energy_wh(vehicle.battery),
-                          nominal_voltage_v(vehicle.battery)));
+              fmt::format("{:.1f} kWh, {:.0f} V, empty at {:.0f} %",
+                          1e-3 * nominal_energy_wh(vehicle.battery),
+                          nominal_voltage_v(vehicle.battery), 100.0 * vehicle.battery.empty_soc));
   figures.add("implement", vehicle.implement.name, "Implement", vehicle.implement.name);
   figures.add("soil", std::string(soil.name), "On soil", std::string(soil.name));
   return figures;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "evaluate/scenario.h"
+#include "terrains/input_error.h"
 #include "vehicle_models/vehicle_check.h"
 #include "vehicle_models/vehicle_loader.h"
 
@@ -25,6 +26,13 @@ Stage load_stage(const Scenario& scenario) {
   stage.vehicle = load_vehicle(scenario.vehicle);
   stage.vehicle.implement.working_width_m = scenario.working_width_m;
   check_vehicle(stage.vehicle, source);  // draft goes with the width
+  const double empty_soc = stage.vehicle.battery.empty_soc;
+  if (scenario.simulation.soc_start <= empty_soc) {
+    throw InputError(source, "simulation.soc_start",
+                     fmt::format("{:g}", scenario.simulation.soc_start),
+                     fmt::format("more than {:g}, at which the battery of {} is empty", empty_soc,
+                                 stage.vehicle.name));
+  }
   return stage;
 }
 

@@ -63,6 +63,7 @@ Reason reason_of(const Check& check) {
   Reason reason;
   reason.grade = grade_of(check.value, check.limit, check.better);
   reason.figure = check.key;
+  reason.title = check.subject;
   reason.value = check.value;
   reason.limit = reason.grade == Grade::kFail ? check.limit.fail : check.limit.warn;
   if (!std::isfinite(check.value)) {
@@ -127,6 +128,7 @@ Reason outcome_reason(const RunRecord& run) {
   Reason reason;
   reason.grade = Grade::kFail;
   reason.figure = "outcome";
+  reason.title = "Not finished";
   reason.text = fmt::format("The run did not finish: {} after {}{}{}", outcome_name(run.outcome),
                             duration_text(run.duration_s), run.outcome_detail.empty() ? "" : ": ",
                             run.outcome_detail);
@@ -142,6 +144,7 @@ Reason path_reason(const Path& path) {
   Reason reason;
   reason.grade = Grade::kWarn;
   reason.figure = "path";
+  reason.title = "Path does not fit";
   reason.value = static_cast<double>(path.violations.size());
   reason.p_W = worst.p_W;
   reason.text = fmt::format(

@@ -44,7 +44,8 @@ struct Reason {
   double limit = 0.0;  // the one that was passed
   std::optional<Eigen::Vector2d> p_W;
   std::optional<double> time_s;
-  std::string text;  // one sentence for people
+  std::string title;  // the figure's name: "Wheel slip"
+  std::string text;   // one sentence for people
 };
 
 struct Verdict {

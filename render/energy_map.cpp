@@ -70,9 +70,9 @@ void legend_scale(Legend& legend, const EnergyFigures& figures) {
   if (low < 0.0) {
     write_text(legend.sheet, legend.typeface, {side, bar.bottom() - page.px(4)}, "regenerated",
                page.text(13), colours::kInkSoft);
+    write_text(legend.sheet, legend.typeface, {side, bar.y + page.px(14)}, "used", page.text(13),
+               colours::kInkSoft);
   }
-  write_text(legend.sheet, legend.typeface, {side, bar.y + page.px(14)}, "used", page.text(13),
-             colours::kInkSoft);
   legend.y_px = bar.bottom();
   legend_gap(legend, 16);
 }

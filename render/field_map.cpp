@@ -52,6 +52,40 @@ void draw_driven(Sheet& sheet, const PictureScene& scene, const MapView& view,
   stroke(sheet, thinned(map_line(view, line), kTolerance_px), widths.driven_px, colours::kDriven);
 }
 
+// Number of a reason in a disc of its grade's colour.
+void draw_mark(Sheet& sheet, Typeface& typeface, const Page& page, const Point2& p_px, int number,
+               Grade grade) {
+  const double radius = page.px(11);
+  fill_disc(sheet, p_px, radius + page.px(2), colours::kPaper);
+  fill_disc(sheet, p_px, radius, grade_colour(grade));
+  write_text(sheet, typeface, p_px + Point2(0.0, page.px(5)), fmt::format("{}", number),
+             page.text(14, true), colours::kPaper, Align::kCentre);
+}
+
+// Where the verdict's reasons lie, numbered as in the legend.
+void draw_reasons(Sheet& sheet, Typeface& typeface, const PictureScene& scene, const Page& page,
+                  const MapView& view) {
+  if (scene.verdict == nullptr) return;
+  // The worst is first and is drawn last, on top.
+  for (std::size_t i = scene.verdict->reasons.size(); i-- > 0;) {
+    const Reason& reason = scene.verdict->reasons[i];
+    if (!reason.p_W || !reason.p_W->allFinite()) continue;
+    draw_mark(sheet, typeface, page, pixel_of(view.camera, *reason.p_W), static_cast<int>(i) + 1,
+              reason.grade);
+  }
+}
+
+void legend_reasons(Legend& legend, const PictureScene& scene) {
+  if (scene.verdict == nullptr || scene.verdict->reasons.empty()) return;
+  legend_heading(legend, "Verdict");
+  int number = 0;
+  for (const Reason& reason : scene.verdict->reasons) {
+    const Point2 centre = legend_symbol(legend, reason.title);
+    draw_mark(legend.sheet, legend.typeface, legend.page, centre, ++number, reason.grade);
+  }
+  legend_gap(legend, 10);
+}
+
 void legend_coverage(Legend& legend, const PictureScene& scene) {
   const CoverageAreas areas = coverage_areas(scene.coverage);
   const double total_m2 = std::accumulate(areas.inside_m2.begin(), areas.inside_m2.end(), 0.0);
@@ -114,6 +148,7 @@ Image draw_field_map(const PictureScene& scene, const PictureSize& size) {
   draw_driven(map, scene, view, widths);
   draw_field_lines(map, scene, page, view);
   draw_start_and_end(map, scene, page, view);
+  draw_reasons(map, typeface, scene, page, view);
   look_through(view.camera.view_px, size.height);
   paint(map, typeface, page.size_px);
   look_at_page();
@@ -121,6 +156,7 @@ Image draw_field_map(const PictureScene& scene, const PictureSize& size) {
   Sheet margin;
   write_title(margin, typeface, page, scene, "Coverage");
   Legend legend{margin, typeface, page, page.column.y - page.px(4)};
+  legend_reasons(legend, scene);
   legend_coverage(legend, scene);
   legend_path(legend, scene);
   legend_field(legend, scene);

@@ -222,8 +222,45 @@ void legend_start_and_end(Legend& legend, const PictureScene& scene) {
   add_end(legend.sheet, legend.page, legend_symbol(legend, "End"));
 }
 
+namespace {
+
+// Coordinates in metres along the lower and the left edge, where places in texts are looked up.
+void draw_ticks(Sheet& sheet, Typeface& typeface, const Page& page, const MapView& view) {
+  const Box box = view.camera.view_px;
+  const double step_m = round_down_to_125(page.px(260) / view.camera.px_per_m);
+  const TextStyle style = page.text(12);
+  const double line = std::max(1.0, std::round(page.px(1)));
+  const Point2 low_W = view.camera.window.low;
+  const Point2 high_W = view.camera.window.high;
+  const auto first = [step_m](double low_m) {
+    return static_cast<long>(std::ceil(low_m / step_m));
+  };
+  const auto last = [step_m](double high_m) {
+    return static_cast<long>(std::floor(high_m / step_m));
+  };
+  for (long i = first(low_W.x()); i <= last(high_W.x()); ++i) {
+    const double x_m = static_cast<double>(i) * step_m;
+    const double x = std::round(pixel_of(view.camera, {x_m, low_W.y()}).x());
+    fill_box(sheet, {x, box.bottom() - page.px(6), line, page.px(6)}, colours::kInkSoft);
+    write_text(sheet, typeface, {x, box.bottom() + page.px(16)}, fmt::format("{:g}", x_m), style,
+               colours::kInkSoft, Align::kCentre);
+  }
+  for (long i = first(low_W.y()); i <= last(high_W.y()); ++i) {
+    const double y_m = static_cast<double>(i) * step_m;
+    const double y = std::round(pixel_of(view.camera, {low_W.x(), y_m}).y());
+    fill_box(sheet, {box.x, y, page.px(6), line}, colours::kInkSoft);
+    write_text(sheet, typeface, {box.x - page.px(4), y + page.px(4)}, fmt::format("{:g}", y_m),
+               style, colours::kInkSoft, Align::kRight);
+  }
+  write_text(sheet, typeface, {box.right(), box.bottom() + page.px(30)}, "x, y in m", style,
+             colours::kInkSoft, Align::kRight);
+}
+
+}  // namespace
+
 void draw_map_frame(Sheet& sheet, Typeface& typeface, const Page& page, const MapView& view) {
   frame_box(sheet, view.camera.view_px, std::max(1.0, std::round(page.px(1))), colours::kInkSoft);
+  draw_ticks(sheet, typeface, page, view);
   const double foot = page.column.bottom();
   draw_scale_bar(sheet, typeface, page, view.camera.px_per_m, page.px(230),
                  {page.column.x, foot - page.px(24)});

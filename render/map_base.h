@@ -35,7 +35,7 @@ void legend_field(Legend& legend, const PictureScene& scene);
 void legend_relief(Legend& legend, const MapView& view);
 void legend_start_and_end(Legend& legend, const PictureScene& scene);
 
-// Frame of the map, scale bar, north arrow.
+// Frame of the map with the coordinates of W along it, scale bar, north arrow.
 void draw_map_frame(Sheet& sheet, Typeface& typeface, const Page& page, const MapView& view);
 
 // Pixels of a line in W.

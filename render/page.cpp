@@ -12,11 +12,11 @@
 namespace headland {
 namespace {
 
-constexpr double kMargin = 36.0;       // units
-constexpr double kTitleHeight = 92.0;  // units
-constexpr int kBody = 15;              // text size, units
-constexpr double kLine = 23.0;         // units from line to line
-constexpr double kSwatchWidth = 26.0;  // units
+constexpr double kMargin = 36.0;        // units
+constexpr double kTitleHeight = 116.0;  // units
+constexpr int kBody = 15;               // text size, units
+constexpr double kLine = 23.0;          // units from line to line
+constexpr double kSwatchWidth = 26.0;   // units
 
 // Text that ends in an ellipsis where it would be wider than the room it has.
 std::string fitted(Typeface& typeface, std::string_view text, TextStyle style, double width_px) {
@@ -33,7 +33,41 @@ std::string fitted(Typeface& typeface, std::string_view text, TextStyle style, d
   return out + "…";
 }
 
+// The grade in a box at the page's upper right corner, and why in a line of its own.
+void write_verdict(Sheet& sheet, Typeface& typeface, const Page& page, const Verdict& verdict) {
+  const TextStyle style = page.text(22, true);
+  const std::string_view word = grade_name(verdict.grade);
+  const double width = text_width_px(typeface, word, style) + page.px(28);
+  const Box box{std::round(page.column.right() - width), std::round(page.px(24)), std::round(width),
+                std::round(page.px(36))};
+  fill_box(sheet, box, grade_colour(verdict.grade));
+  write_text(sheet, typeface, {box.x + 0.5 * box.width, box.y + page.px(26)}, word, style,
+             colours::kPaper, Align::kCentre);
+  const TextStyle body = page.text(kBody, true);
+  std::string why = "Every judged figure is within its limits.";
+  if (!verdict.reasons.empty()) {
+    why = verdict.reasons.front().text;
+    if (verdict.reasons.size() > 1)
+      why += fmt::format("  (and {} more)", verdict.reasons.size() - 1);
+  }
+  const double room = page.column.right() - page.main.x;
+  write_text(sheet, typeface, {page.main.x, page.px(100)}, fitted(typeface, why, body, room), body,
+             grade_colour(verdict.grade));
+}
+
 }  // namespace
+
+Rgba grade_colour(Grade grade) {
+  switch (grade) {
+    case Grade::kPass:
+      return colours::kPass;
+    case Grade::kWarn:
+      return colours::kWarn;
+    case Grade::kFail:
+      return colours::kFail;
+  }
+  return colours::kInk;
+}
 
 TextStyle Page::text(int units, bool bold) const {
   constexpr int kSmallest_px = 8;
@@ -85,6 +119,7 @@ void write_title(Sheet& sheet, Typeface& typeface, const Page& page, const Pictu
   const TextStyle body = page.text(kBody);
   write_text(sheet, typeface, {x, page.px(76)}, fitted(typeface, line, body, room), body,
              colours::kInkSoft);
+  if (scene.verdict != nullptr) write_verdict(sheet, typeface, page, *scene.verdict);
 }
 
 void legend_heading(Legend& legend, std::string_view text) {

@@ -27,7 +27,10 @@ inline constexpr int kMinPicture_px = 240;
 inline constexpr double kColumnWidth = 324.0;  // units
 Page page_of(const PictureSize& size, double column_units = kColumnWidth);
 
-// The field's name, what the picture shows, and the run in a line below.
+Rgba grade_colour(Grade grade);
+
+// The field's name, what the picture shows, the run in a line below, and the verdict with its first
+// reason.
 void write_title(Sheet& sheet, Typeface& typeface, const Page& page, const PictureScene& scene,
                  std::string_view what);
 

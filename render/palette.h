@@ -47,6 +47,11 @@ inline constexpr Rgba kPlannedTurn{226, 120, 196};
 inline constexpr Rgba kDriven{40, 40, 52};
 inline constexpr Rgba kStart{0, 140, 90};
 inline constexpr Rgba kEnd{178, 24, 43};
+// Verdicts; each is also said in words.
+inline constexpr Rgba kPass{0, 114, 88};
+inline constexpr Rgba kWarn{176, 110, 0};
+inline constexpr Rgba kFail{178, 24, 43};
+
 inline constexpr Rgba kTree{38, 92, 44};
 inline constexpr Rgba kRock{140, 134, 128};
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "evaluate/coverage.h"
+#include "evaluate/verdict.h"
 #include "planner/path.h"
 #include "render/image.h"
 #include "sim/run_record.h"
@@ -24,6 +25,7 @@ struct PictureScene {
   const Path& path;
   const RunRecord& run;
   const CoverageRaster& coverage;
+  const Verdict* verdict = nullptr;  // null: not judged, the pictures then say nothing of it
 };
 
 // Pixels, at least 240 x 240; the largest size depends on OpenGL and memory (4096 x 4096 works).
@@ -36,7 +38,8 @@ struct PictureSize {
 // package). Same scene and size, same bytes.
 
 // From above: relief, boundary, holes, obstacles, driven coverage by times covered, planned and
-// driven path, start and end, scale bar, north arrow, legend.
+// driven path, start and end, where the verdict's reasons lie, coordinates of W along the frame,
+// scale bar, north arrow, legend.
 Image draw_field_map(const PictureScene& scene, const PictureSize& size);
 
 // Perspective of the whole field: lit terrain with the driven swaths on it, obstacles, and the

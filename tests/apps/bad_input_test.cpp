@@ -95,7 +95,7 @@ const BadInput kBadInputs[] = {
     {"NothingToRender", "render none", "", "", "no such file"},
     {"OutputBelowAFile", "evaluate tiny.yaml -o tiny.yaml/DIR", "", "", "is not a folder"},
     {"OutputNotWritable", "plan tiny.yaml -o /proc/headland", "", "", "/proc/headland"},
-    {"PictureSize", "evaluate tiny.yaml -o DIR --size 10x10", "", "", "240 to 8192"},
+    {"PictureSize", "evaluate tiny.yaml -o DIR --size 10x10", "", "", "640x400 to 8192x8192"},
     {"RecordRate", "evaluate tiny.yaml -o DIR --record-hz 1e9", "", "",
      "--record-hz: '1000000000': more than 0 and at most 240"},
     {"NegativeSeed", "plan tiny.yaml -o DIR --seed -1", "", "",

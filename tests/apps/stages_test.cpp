@@ -19,7 +19,7 @@ using ::testing::UnorderedElementsAre;
 
 class StagesTest : public CommandTest {};
 
-const std::string kEvaluateTiny = "evaluate tiny.yaml --size 320x240 -o ";
+const std::string kEvaluateTiny = "evaluate tiny.yaml --size 640x400 -o ";
 
 TEST_F(StagesTest, EvaluateFillsTheFolderAndTellsInBothForms) {
   const CommandResult result = headland(kEvaluateTiny + "DIR --json");
@@ -41,7 +41,7 @@ TEST_F(StagesTest, SameSeedSameBytesAndStagesGiveTheBytesOfTheWhole) {
   ASSERT_LE(headland(kEvaluateTiny + "B -q").exit_code, 1);
   ASSERT_EQ(headland("plan tiny.yaml -o C -q").exit_code, 0);
   ASSERT_LE(headland("drive C -q").exit_code, 1);
-  ASSERT_EQ(headland("render C --size 320x240 -q").exit_code, 0);
+  ASSERT_EQ(headland("render C --size 640x400 -q").exit_code, 0);
   for (const std::string& name : files_in("A")) {
     const std::string bytes = text_of(folder_ / "A" / name);
     EXPECT_TRUE(text_of(folder_ / "B" / name) == bytes) << name << " differs from run to run";
@@ -219,7 +219,7 @@ TEST_F(StagesTest, DamagedResultsAreRefusedWithoutNewOnes) {
   ASSERT_LE(headland(kEvaluateTiny + "DIR -q").exit_code, 1);
   const std::string run = text_of(folder_ / "DIR" / "run.csv");
   write("DIR/run.csv", run.substr(0, run.find('\n') + 1));
-  const CommandResult render = headland("render DIR --size 320x240");
+  const CommandResult render = headland("render DIR --size 640x400");
   EXPECT_EQ(render.exit_code, 2);
   EXPECT_EQ(render.err, "headland: DIR/run.csv: line 2: the table has no rows\n");
   std::string path = text_of(folder_ / "DIR" / "path.geojson");

@@ -39,7 +39,7 @@ TEST_F(VehicleCommand, GivesTheSameFiguresAsJson) {
 
 TEST_F(VehicleCommand, DrawsIt) {
   const CommandResult result =
-      headland("vehicle check four_wheel_steer_robot -o robot.png --size 480x320");
+      headland("vehicle check four_wheel_steer_robot -o robot.png --size 640x400");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(text_of(folder_ / "robot.png"), HasSubstr("PNG"));
   EXPECT_THAT(result.out, HasSubstr("robot.png"));
@@ -49,7 +49,7 @@ TEST_F(VehicleCommand, TakesAFolderWithABrokenMeshAsAPlainBoxAndSaysSo) {
   std::filesystem::copy(kVehicles / "transplanter", folder_ / "mine",
                         std::filesystem::copy_options::recursive);
   write("mine/meshes/transplanter.obj", "f 1 2 3\nf nonsense");
-  const CommandResult broken = headland("vehicle check mine -o mine.png --size 480x320");
+  const CommandResult broken = headland("vehicle check mine -o mine.png --size 640x400");
   EXPECT_EQ(broken.exit_code, 0) << broken.err;
   EXPECT_THAT(broken.out, HasSubstr("note: transplanter.obj cannot be read: plain box"));
   std::filesystem::remove_all(folder_ / "mine/meshes");
@@ -69,7 +69,7 @@ const BadCall kBadCalls[] = {
     {"UnknownSoil", "vehicle check transplanter --soil frm", "did you mean 'firm'?"},
     {"UnknownSubcommand", "vehicle chek transplanter", "did you mean 'check'?"},
     {"FolderWithoutVehicle", "vehicle check .", "vehicle.urdf"},
-    {"PictureInAFile", "vehicle check transplanter -o tiny.yaml/x.png --size 300x300", "tiny.yaml"},
+    {"PictureInAFile", "vehicle check transplanter -o tiny.yaml/x.png --size 640x640", "tiny.yaml"},
     {"TooSmallPicture", "vehicle check transplanter -o x.png --size 20x20", "--size"},
 };
 

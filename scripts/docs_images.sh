@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Draws the pictures of README and docs again, with the program as it is built now. Takes no arguments.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+cmake --preset release >/dev/null
+cmake --build --preset release --target headland
+
+results=$(mktemp -d)
+trap 'rm -rf "$results"' EXIT
+build/headland evaluate examples/demo.yaml -o "$results" --quiet
+cp "$results"/{field,view,energy}.png docs/images/
+build/headland vehicle check four_wheel_steer_robot -o docs/images/four_wheel_steer_robot.png >/dev/null
+build/headland measure --vehicle transplanter --soil firm -o "$results/costs" --quiet
+cp "$results/costs/costs.png" docs/images/
