@@ -100,15 +100,21 @@ void add_ring(Scanline& scan, const CoverageRaster& raster, const Ring& ring) {
 }
 
 void clear_obstacle(CoverageRaster& raster, const Obstacle& obstacle) {
-  const Eigen::Vector2d centre = in_cells(raster, obstacle.p_W);
-  const double radius = obstacle.radius_m / raster.cell_m;
-  const int end_row = first_cell(centre.y() + radius, raster.rows);
-  for (int row = first_cell(centre.y() - radius, raster.rows); row < end_row; ++row) {
-    const double dy = row - centre.y();
-    const double half = std::sqrt(std::max(radius * radius - dy * dy, 0.0));
-    const int end = first_cell(centre.x() + half, raster.columns);
-    for (int column = first_cell(centre.x() - half, raster.columns); column < end; ++column) {
-      raster.in_field[index_of(raster, column, row)] = 0;
+  Box box;
+  box.include(obstacle.p_W);
+  box.include(obstacle.p_W + obstacle.run_W);
+  box = widened(box, obstacle.radius_m);
+  const Eigen::Vector2d low = in_cells(raster, box.low);
+  const Eigen::Vector2d high = in_cells(raster, box.high);
+  const int end_row = first_cell(high.y(), raster.rows);
+  const int end_column = first_cell(high.x(), raster.columns);
+  for (int row = first_cell(low.y(), raster.rows); row < end_row; ++row) {
+    for (int column = first_cell(low.x(), raster.columns); column < end_column; ++column) {
+      const Eigen::Vector2d middle_W =
+          raster.origin_W + raster.cell_m * Eigen::Vector2d(column + 0.5, row + 0.5);
+      if (obstacle_gap_m(obstacle, middle_W) <= 0.0) {
+        raster.in_field[index_of(raster, column, row)] = 0;
+      }
     }
   }
 }

@@ -88,6 +88,8 @@ constexpr std::string_view kOtherKeys[] = {
     "field.obstacles.kind",
     "field.obstacles.at",
     "field.obstacles.radius_m",
+    "field.obstacles.line",
+    "field.obstacles.thickness_m",
     "field.obstacles.height_m",
     "field.entry",
     "terrain",

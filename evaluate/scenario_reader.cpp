@@ -41,7 +41,7 @@ std::optional<YamlSection> numbers_section(const YamlSection& top, std::string_v
 ObstacleKind read_obstacle_kind(const YamlSection& section) {
   const std::string name = read_word(section, "kind").value_or("tree");
   std::vector<std::string> known;
-  for (const ObstacleKind kind : {ObstacleKind::kTree, ObstacleKind::kPole, ObstacleKind::kRock}) {
+  for (const ObstacleKind kind : kEveryObstacleKind) {
     if (obstacle_kind_name(kind) == name) return kind;
     known.emplace_back(obstacle_kind_name(kind));
   }
@@ -49,17 +49,35 @@ ObstacleKind read_obstacle_kind(const YamlSection& section) {
                    fmt::format("unknown obstacle; known: {}", fmt::join(known, ", ")));
 }
 
-Obstacle read_obstacle(const YamlSection& section) {
-  refuse_unknown_keys(section, keys_in_section(section.path));
-  Obstacle obstacle;
-  obstacle.kind = read_obstacle_kind(section);
-  const auto at = read_point(section, "at");
-  if (!at) {
-    throw InputError(section.source, place_of(section, "at"), "", "the key is missing: [x, y]");
+// Refuses the keys of what stands otherwise, and asks for the one that says where it stands.
+void require_place(const YamlSection& section, std::string_view needed, const std::string& form,
+                   std::initializer_list<std::string_view> foreign, const std::string& whose) {
+  for (const std::string_view key : foreign) {
+    const YAML::Node node = section.node;
+    if (!node[std::string(key)].IsDefined()) continue;
+    throw InputError(section.source, place_of(section, key), "", "only of " + whose);
   }
-  obstacle.p_W = *at;
-  obstacle.radius_m = read_number(section, "radius_m", {kMinObstacle_m, kMaxObstacleRadius_m})
-                          .value_or(obstacle.radius_m);
+  const YAML::Node node = section.node;
+  if (node[std::string(needed)].IsDefined()) return;
+  throw InputError(section.source, place_of(section, needed), "", "the key is missing: " + form);
+}
+
+ObstacleSource read_obstacle(const YamlSection& section) {
+  refuse_unknown_keys(section, keys_in_section(section.path));
+  ObstacleSource obstacle = default_obstacle(read_obstacle_kind(section));
+  if (runs_along_line(obstacle.kind)) {
+    require_place(section, "line", "[[x, y], [x, y], ...]", {"at", "radius_m"},
+                  "trees, poles and rocks");
+    obstacle.line = read_points(section, "line").value();
+    obstacle.radius_m =
+        0.5 * read_number(section, "thickness_m", {kMinThickness_m, kMaxThickness_m})
+                  .value_or(2.0 * obstacle.radius_m);
+  } else {
+    require_place(section, "at", "[x, y]", {"line", "thickness_m"}, "walls and fences");
+    obstacle.line = {read_point(section, "at").value()};
+    obstacle.radius_m = read_number(section, "radius_m", {kMinObstacle_m, kMaxObstacleRadius_m})
+                            .value_or(obstacle.radius_m);
+  }
   obstacle.height_m = read_number(section, "height_m", {kMinObstacle_m, kMaxObstacleHeight_m})
                           .value_or(obstacle.height_m);
   return obstacle;

@@ -63,12 +63,18 @@ void emit_field(YAML::Emitter& out, const FieldSource& field) {
     out << YAML::EndSeq;
   }
   out << YAML::Key << "obstacles" << YAML::Value << YAML::BeginSeq;
-  for (const Obstacle& obstacle : field.obstacles) {
+  for (const ObstacleSource& obstacle : field.obstacles) {
     out << YAML::Flow << YAML::BeginMap;
     emit(out, "kind", std::string(obstacle_kind_name(obstacle.kind)));
-    out << YAML::Key << "at" << YAML::Value;
-    emit(out, obstacle.p_W);
-    emit(out, "radius_m", shown(obstacle.radius_m));
+    if (runs_along_line(obstacle.kind)) {
+      out << YAML::Key << "line" << YAML::Value;
+      emit(out, obstacle.line);
+      emit(out, "thickness_m", shown(2.0 * obstacle.radius_m));
+    } else {
+      out << YAML::Key << "at" << YAML::Value;
+      emit(out, obstacle.line.front());
+      emit(out, "radius_m", shown(obstacle.radius_m));
+    }
     emit(out, "height_m", shown(obstacle.height_m));
     out << YAML::EndMap;
   }

@@ -146,8 +146,7 @@ void measure_obstacles(FreeSpace& space) {
       const Vector2d centre = centre_of(space, column, row);
       float nearest_m = std::numeric_limits<float>::max();
       for (const Obstacle& obstacle : space.obstacles) {
-        const double gap_m = (obstacle.p_W - centre).norm() - obstacle.radius_m;
-        nearest_m = std::min(nearest_m, static_cast<float>(gap_m));
+        nearest_m = std::min(nearest_m, static_cast<float>(obstacle_gap_m(obstacle, centre)));
       }
       space.cells[cell_at(space, column, row)].obstacle_distance_m = nearest_m;
     }
@@ -181,8 +180,9 @@ FreeSpace free_space(const Field& field, const Hull& hull) {
   for (std::size_t i = 0; i < space.obstacles.size(); ++i) {
     const Obstacle& obstacle = space.obstacles[i];
     const Vector2d extent = Vector2d::Constant(obstacle.radius_m);
-    add_to_cells(space, static_cast<int>(i), obstacle.p_W - extent, obstacle.p_W + extent,
-                 &FreeSpace::Cell::obstacles);
+    const Vector2d end_W = obstacle.p_W + obstacle.run_W;
+    add_to_cells(space, static_cast<int>(i), obstacle.p_W.cwiseMin(end_W) - extent,
+                 obstacle.p_W.cwiseMax(end_W) + extent, &FreeSpace::Cell::obstacles);
   }
   measure_edges(space);
   measure_obstacles(space);

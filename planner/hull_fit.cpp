@@ -13,11 +13,20 @@ using Eigen::Vector2d;
 // Depths nearer than this are equal: the first one found, a corner of the hull, names the place.
 constexpr double kSameDepth_m = 1e-9;
 
+double box_gap_m(const PoseFrame& frame, const Box& box, const Obstacle& obstacle) {
+  const Vector2d p = frame.local(obstacle.p_W);
+  const double distance_m =
+      obstacle.run_W.isZero(0.0)
+          ? distance_to_box(p, box)
+          : segment_to_box(p, frame.local(obstacle.p_W + obstacle.run_W), box);
+  return distance_m - obstacle.radius_m;
+}
+
 double bar_gap_m(const FreeSpace& space, const PoseFrame& frame, const Obstacle& obstacle) {
   const Hull& hull = space.hull;
-  return distance_to_segment(frame.local(obstacle.p_W), {hull.bar_x_m, -hull.bar_half_width_m},
-                             {hull.bar_x_m, hull.bar_half_width_m}) -
-         obstacle.radius_m;
+  return box_gap_m(frame,
+                   {{hull.bar_x_m, -hull.bar_half_width_m}, {hull.bar_x_m, hull.bar_half_width_m}},
+                   obstacle);
 }
 
 CellRange cells_near(const FreeSpace& space, const Vector2d& p_W, double extent_m) {
@@ -40,7 +49,7 @@ bool every_gap(const FreeSpace& space, const Pose& pose, double shrunk_m, double
     }
     for (const int index : cell.obstacles) {
       const Obstacle& obstacle = space.obstacles[static_cast<std::size_t>(index)];
-      const double chassis_m = distance_to_box(frame.local(obstacle.p_W), box) - obstacle.radius_m;
+      const double chassis_m = box_gap_m(frame, box, obstacle);
       if (!visit(std::min(chassis_m, bar_gap_m(space, frame, obstacle) + shrunk_m))) return false;
     }
     return true;
@@ -92,7 +101,7 @@ bool disc_fits(const FreeSpace& space, const Vector2d& p_W, double radius_m) {
     }
     for (const int index : cell.obstacles) {
       const Obstacle& obstacle = space.obstacles[static_cast<std::size_t>(index)];
-      if ((obstacle.p_W - p_W).norm() - obstacle.radius_m <= radius_m) return false;
+      if (obstacle_gap_m(obstacle, p_W) <= radius_m) return false;
     }
     return true;
   });
@@ -128,8 +137,9 @@ Overrun overrun(const FreeSpace& space, const Pose& pose) {
     }
     for (const int index : cell.obstacles) {
       const Obstacle& obstacle = space.obstacles[static_cast<std::size_t>(index)];
-      const double gap_m = distance_to_box(frame.local(obstacle.p_W), box) - obstacle.radius_m;
-      deepen(-std::min(gap_m, bar_gap_m(space, frame, obstacle)), obstacle.p_W, Limit::kObstacle);
+      const double gap_m = box_gap_m(frame, box, obstacle);
+      deepen(-std::min(gap_m, bar_gap_m(space, frame, obstacle)), nearest_of(obstacle, pose.p_W),
+             Limit::kObstacle);
     }
     return true;
   });

@@ -89,9 +89,12 @@ PolygonSet from_field(const Field& field, double obstacle_margin_m) {
   std::vector<PolygonSet> discs;
   for (const Obstacle& obstacle : field.obstacles) {
     const double radius_m = obstacle.radius_m + obstacle_margin_m;
-    if (radius_m > 0.0) {
-      discs.push_back({{PolygonPart{circumscribed_circle(obstacle.p_W, radius_m), {}}}});
-    }
+    if (radius_m <= 0.0) continue;
+    discs.push_back({{PolygonPart{circumscribed_circle(obstacle.p_W, radius_m), {}}}});
+    if (obstacle.run_W.isZero(0.0)) continue;
+    const Eigen::Vector2d end_W = obstacle.p_W + obstacle.run_W;
+    discs.push_back({{PolygonPart{circumscribed_circle(end_W, radius_m), {}}}});
+    discs.push_back(strip({obstacle.p_W, end_W}, 2.0 * radius_m));
   }
   return difference(ground, united(discs));
 }

@@ -39,8 +39,8 @@ inline constexpr double kMitreLimit = 5.0;
 // Discs, of obstacles or looked for, are exact to within this [m].
 inline constexpr double kDiscTolerance_m = 0.005;
 
-// The field's ground: boundary minus holes minus a disc of radius_m + obstacle_margin_m around
-// every obstacle. Discs are circumscribed polygons, never smaller than the circle.
+// The field's ground: boundary minus holes minus what is within obstacle_margin_m of an obstacle.
+// Its round ends are circumscribed polygons, never smaller than the circle.
 PolygonSet from_field(const Field& field, double obstacle_margin_m = 0.0);
 
 // Grown by distance_m (shrunk when negative). kRound joins are exact offsets but for the chords,

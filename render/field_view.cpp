@@ -36,8 +36,11 @@ std::vector<Point> outline(const PictureScene& scene, const FieldView& view) {
     points.push_back(p);
   }
   for (const Obstacle& obstacle : scene.field.obstacles) {
-    points.push_back(on_ground(scene.terrain, view.relief, obstacle.p_W) +
-                     Point(0.0, 0.0, obstacle.height_m));
+    for (const Eigen::Vector2d& end_W :
+         {obstacle.p_W, Eigen::Vector2d(obstacle.p_W + obstacle.run_W)}) {
+      points.push_back(on_ground(scene.terrain, view.relief, end_W) +
+                       Point(0.0, 0.0, obstacle.height_m));
+    }
   }
   return points;
 }

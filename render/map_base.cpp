@@ -92,6 +92,30 @@ void add_obstacle(Sheet& sheet, const Page& page, ObstacleKind kind, const Point
       stroke(sheet, corners, line, colours::kInk, true);
       break;
     }
+    case ObstacleKind::kWall:
+    case ObstacleKind::kFence:
+      break;
+  }
+}
+
+// Walls are a broad line, fences a thin one with a post every now and then.
+void add_barrier(Sheet& sheet, const Page& page, ObstacleKind kind, const Point2& from_px,
+                 const Point2& to_px, double thickness_px) {
+  const std::array<Point2, 2> line = {from_px, to_px};
+  const double paper = std::max(2.0, page.px(2.4));
+  if (kind == ObstacleKind::kWall) {
+    const double width = std::max(page.px(4.5), thickness_px);
+    stroke(sheet, line, width + paper, colours::kPaper);
+    stroke(sheet, line, width, colours::kInkSoft);
+    return;
+  }
+  const double width = std::max(page.px(1.8), thickness_px);
+  stroke(sheet, line, width + paper, colours::kPaper);
+  stroke(sheet, line, width, colours::kInk);
+  const int spans =
+      std::max(1, static_cast<int>(std::lround((to_px - from_px).norm() / page.px(13))));
+  for (int i = 0; i <= spans; ++i) {
+    fill_disc(sheet, from_px + i * (to_px - from_px) / spans, 1.5 * width, colours::kInk);
   }
 }
 
@@ -156,6 +180,12 @@ void draw_field_lines(Sheet& sheet, const PictureScene& scene, const Page& page,
   }
   stroke(sheet, map_line(view, scene.field.boundary), width, colours::kBoundary, true);
   for (const Obstacle& obstacle : scene.field.obstacles) {
+    if (runs_along_line(obstacle.kind)) {
+      add_barrier(sheet, page, obstacle.kind, pixel_of(view.camera, obstacle.p_W),
+                  pixel_of(view.camera, obstacle.p_W + obstacle.run_W),
+                  2.0 * obstacle.radius_m * view.camera.px_per_m);
+      continue;
+    }
     const double radius = std::max(page.px(5.5), obstacle.radius_m * view.camera.px_per_m);
     add_obstacle(sheet, page, obstacle.kind, pixel_of(view.camera, obstacle.p_W), radius);
   }
@@ -187,14 +217,21 @@ void legend_field(Legend& legend, const PictureScene& scene) {
           colours::kInkSoft);
     stroke(legend.sheet, ring, std::max(1.0, page.px(1.5)), colours::kBoundary, true);
   }
-  for (const ObstacleKind kind : {ObstacleKind::kTree, ObstacleKind::kPole, ObstacleKind::kRock}) {
+  for (const ObstacleKind kind : kEveryObstacleKind) {
     const auto count =
         std::count_if(scene.field.obstacles.begin(), scene.field.obstacles.end(),
                       [kind](const Obstacle& obstacle) { return obstacle.kind == kind; });
     if (count == 0) continue;
-    constexpr std::array<std::string_view, 3> kLabels = {"Tree", "Pole", "Rock"};
-    const Point2 centre = legend_symbol(legend, kLabels[static_cast<std::size_t>(kind)],
-                                        count > 1 ? fmt::format("{}", count) : std::string());
+    constexpr std::array<std::string_view, 5> kLabels = {"Tree", "Pole", "Rock", "Wall", "Fence"};
+    const std::string_view label = kLabels[static_cast<std::size_t>(kind)];
+    if (runs_along_line(kind)) {
+      const Point2 middle = legend_symbol(legend, label);
+      const Point2 reach(page.px(13), 0.0);
+      add_barrier(legend.sheet, page, kind, middle - reach, middle + reach, 0.0);
+      continue;
+    }
+    const Point2 centre =
+        legend_symbol(legend, label, count > 1 ? fmt::format("{}", count) : std::string());
     add_obstacle(legend.sheet, page, kind, centre, page.px(5.5));
   }
 }

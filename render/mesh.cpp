@@ -48,6 +48,17 @@ Mesh box_mesh(const Point& low, const Point& high, Rgba colour) {
   return mesh;
 }
 
+Mesh prism_mesh(const std::array<Point, 4>& bottom, const std::array<Point, 4>& top, Rgba colour) {
+  Mesh mesh;
+  add_quad(mesh, top[0], top[1], top[2], top[3], colour);
+  add_quad(mesh, bottom[3], bottom[2], bottom[1], bottom[0], colour);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t next = (i + 1) % 4;
+    add_quad(mesh, bottom[i], bottom[next], top[next], top[i], colour);
+  }
+  return mesh;
+}
+
 Mesh revolved_mesh(std::span<const Eigen::Vector2d> radius_z, int sides, Rgba colour) {
   Mesh mesh;
   for (std::size_t i = 1; i < radius_z.size(); ++i) {

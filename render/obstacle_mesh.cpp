@@ -7,6 +7,7 @@ namespace headland {
 namespace {
 
 using Profile = Eigen::Vector2d;  // radius, z
+using Point = Eigen::Vector3d;
 
 // A trunk and three crowns of leaves, each narrowing upwards.
 Mesh tree_mesh(double radius_m, double height_m) {
@@ -47,6 +48,33 @@ Mesh rock_mesh(double radius_m, double height_m) {
   return revolved_mesh(rock, kSides, kStone);
 }
 
+// The foot reaches into the ground, where the terrain between the ends lies lower than its chord.
+Mesh wall_mesh(const Obstacle& obstacle, const Point& from, const Point& to) {
+  constexpr Rgba kMasonry{176, 166, 152};
+  constexpr double kFoot_m = 0.3;
+  const Point along(to.x() - from.x(), to.y() - from.y(), 0.0);
+  const Point aside = obstacle.radius_m * Point(-along.y(), along.x(), 0.0).normalized();
+  const Point down(0.0, 0.0, -kFoot_m);
+  const Point up(0.0, 0.0, obstacle.height_m);
+  return prism_mesh(
+      {from - aside + down, to - aside + down, to + aside + down, from + aside + down},
+      {from - aside + up, to - aside + up, to + aside + up, from + aside + up}, kMasonry);
+}
+
+Mesh fence_mesh(const Obstacle& obstacle, const Point& from, const Point& to) {
+  constexpr Rgba kPost{120, 96, 70};
+  constexpr Rgba kRail{156, 130, 98};
+  const double radius_m = obstacle.radius_m;
+  const Point up(0.0, 0.0, obstacle.height_m);
+  Mesh fence = bar_mesh(from, from + up, radius_m, kPost);
+  append(fence, bar_mesh(to, to + up, radius_m, kPost), Eigen::Isometry3d::Identity());
+  for (const double part : {0.4, 0.85}) {
+    append(fence, bar_mesh(from + part * up, to + part * up, 0.6 * radius_m, kRail),
+           Eigen::Isometry3d::Identity());
+  }
+  return fence;
+}
+
 }  // namespace
 
 Mesh obstacle_mesh(const Obstacle& obstacle) {
@@ -57,8 +85,16 @@ Mesh obstacle_mesh(const Obstacle& obstacle) {
       return pole_mesh(obstacle.radius_m, obstacle.height_m);
     case ObstacleKind::kRock:
       return rock_mesh(obstacle.radius_m, obstacle.height_m);
+    case ObstacleKind::kWall:
+    case ObstacleKind::kFence:
+      break;
   }
   return {};
+}
+
+Mesh barrier_mesh(const Obstacle& obstacle, const Point& from, const Point& to) {
+  return obstacle.kind == ObstacleKind::kFence ? fence_mesh(obstacle, from, to)
+                                               : wall_mesh(obstacle, from, to);
 }
 
 }  // namespace headland

@@ -86,18 +86,33 @@ void draw_boundaries(Sheet& sheet, const PictureScene& scene, const FieldView& v
   for (const Ring& hole : scene.field.holes) ring(hole, kDraped);
 }
 
-// Trees, poles and rocks with their shadows.
+// What stands on the field, with its shadows.
 void paint_obstacles(const PictureScene& scene, const FieldView& view) {
   const Eigen::Matrix4f clip = clip_from_D(view.camera);
   Mesh all;
-  for (const Obstacle& obstacle : scene.field.obstacles) {
-    const Point3 foot = on_ground(scene.terrain, view.relief, obstacle.p_W);
-    const Point2 slope = view.relief.exaggeration *
-                         surface_at(scene.terrain, obstacle.p_W.x(), obstacle.p_W.y()).gradient;
-    Mesh mesh;
-    append(mesh, obstacle_mesh(obstacle), Eigen::Isometry3d(Eigen::Translation3d(foot)));
-    paint_shadow(mesh, foot, {-slope.x(), -slope.y(), 1.0}, clip, sun_for(view.heading_rad));
+  const auto stand = [&](const Mesh& mesh, const Point2& foot_W) {
+    const Point2 slope =
+        view.relief.exaggeration * surface_at(scene.terrain, foot_W.x(), foot_W.y()).gradient;
+    paint_shadow(mesh, on_ground(scene.terrain, view.relief, foot_W), {-slope.x(), -slope.y(), 1.0},
+                 clip, sun_for(view.heading_rad));
     append(all, mesh, Eigen::Isometry3d::Identity());
+  };
+  for (const Obstacle& obstacle : scene.field.obstacles) {
+    if (!runs_along_line(obstacle.kind)) {
+      const Point3 foot = on_ground(scene.terrain, view.relief, obstacle.p_W);
+      Mesh mesh;
+      append(mesh, obstacle_mesh(obstacle), Eigen::Isometry3d(Eigen::Translation3d(foot)));
+      stand(mesh, obstacle.p_W);
+      continue;
+    }
+    constexpr double kPiece_m = 2.5;  // between a fence's posts
+    const std::vector<Point3> feet =
+        draped(scene.terrain, view.relief, {obstacle.p_W, obstacle.p_W + obstacle.run_W}, false,
+               kPiece_m, 0.0);
+    for (std::size_t i = 1; i < feet.size(); ++i) {
+      stand(barrier_mesh(obstacle, feet[i - 1], feet[i]),
+            (0.5 * (feet[i - 1] + feet[i])).head<2>());
+    }
   }
   if (!all.indices.empty())
     paint_solids(upload(all), clip, view.camera.eye_D, sun_for(view.heading_rad));

@@ -4,6 +4,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace headland {
@@ -56,17 +57,56 @@ struct BulletWorld::Parts {
     world.addCollisionObject(terrain.get(), kTerrain, kTerrain);
   }
 
-  void add_obstacle(const Obstacle& obstacle, const Heightfield& heights) {
-    shapes.push_back(std::make_unique<btCylinderShapeZ>(
-        btVector3(obstacle.radius_m, obstacle.radius_m, 0.5 * obstacle.height_m)));
+  void add_solid(std::unique_ptr<btCollisionShape> shape, const btTransform& pose, int obstacle) {
     auto object = std::make_unique<btCollisionObject>();
-    object->setCollisionShape(shapes.back().get());
-    btTransform pose = btTransform::getIdentity();
-    const double ground_m = surface_at(heights, obstacle.p_W.x(), obstacle.p_W.y()).height_m;
-    pose.setOrigin({obstacle.p_W.x(), obstacle.p_W.y(), ground_m + 0.5 * obstacle.height_m});
+    object->setCollisionShape(shape.get());
     object->setWorldTransform(pose);
+    object->setUserIndex(obstacle);
     world.addCollisionObject(object.get(), kObstacle, kHull);
+    shapes.push_back(std::move(shape));
     obstacles.push_back(std::move(object));
+  }
+
+  void add_cylinder(const Obstacle& obstacle, const Eigen::Vector2d& p_W,
+                    const Heightfield& heights, int index) {
+    const double half_m = 0.5 * obstacle.height_m;
+    btTransform pose = btTransform::getIdentity();
+    pose.setOrigin({p_W.x(), p_W.y(), surface_at(heights, p_W.x(), p_W.y()).height_m + half_m});
+    add_solid(
+        std::make_unique<btCylinderShapeZ>(btVector3(obstacle.radius_m, obstacle.radius_m, half_m)),
+        pose, index);
+  }
+
+  // A box on the line from a to b that stands on the lower end's ground and has the obstacle's
+  // height over the higher one's.
+  void add_wall_box(const Obstacle& obstacle, const Eigen::Vector2d& a_W,
+                    const Eigen::Vector2d& b_W, const Heightfield& heights, int index) {
+    const double ground_a_m = surface_at(heights, a_W.x(), a_W.y()).height_m;
+    const double ground_b_m = surface_at(heights, b_W.x(), b_W.y()).height_m;
+    const double low_m = std::min(ground_a_m, ground_b_m);
+    const double high_m = std::max(ground_a_m, ground_b_m) + obstacle.height_m;
+    const Eigen::Vector2d run_W = b_W - a_W;
+    const Eigen::Vector2d middle_W = 0.5 * (a_W + b_W);
+    btTransform pose = btTransform::getIdentity();
+    pose.setRotation({btVector3(0.0, 0.0, 1.0), std::atan2(run_W.y(), run_W.x())});
+    pose.setOrigin({middle_W.x(), middle_W.y(), 0.5 * (low_m + high_m)});
+    add_solid(std::make_unique<btBoxShape>(
+                  btVector3(0.5 * run_W.norm(), obstacle.radius_m, 0.5 * (high_m - low_m))),
+              pose, index);
+  }
+
+  // A cylinder, or boxes along the line, short enough to follow the terrain, with round ends.
+  void add_obstacle(const Obstacle& obstacle, const Heightfield& heights, int index) {
+    constexpr double kLongestBox_m = 2.0;
+    add_cylinder(obstacle, obstacle.p_W, heights, index);
+    const double length_m = obstacle.run_W.norm();
+    if (length_m == 0.0) return;
+    add_cylinder(obstacle, obstacle.p_W + obstacle.run_W, heights, index);
+    const int boxes = static_cast<int>(std::ceil(length_m / kLongestBox_m));
+    for (int i = 0; i < boxes; ++i) {
+      add_wall_box(obstacle, obstacle.p_W + i * obstacle.run_W / boxes,
+                   obstacle.p_W + (i + 1) * obstacle.run_W / boxes, heights, index);
+    }
   }
 
   void add_box(const Eigen::Vector3d& low_B, const Eigen::Vector3d& high_B,
@@ -108,7 +148,9 @@ BulletWorld::BulletWorld(const Field& field, const Heightfield& terrain, const V
   // Static bodies never move: without this Bullet recomputes their bounds in every step.
   parts_->world.setForceUpdateAllAabbs(false);
   parts_->add_terrain(terrain);
-  for (const Obstacle& obstacle : field.obstacles) parts_->add_obstacle(obstacle, terrain);
+  for (std::size_t i = 0; i < field.obstacles.size(); ++i) {
+    parts_->add_obstacle(field.obstacles[i], terrain, static_cast<int>(i));
+  }
   parts_->add_vehicle(vehicle);
 }
 
@@ -154,10 +196,10 @@ std::optional<std::size_t> BulletWorld::touched_obstacle() const {
     const btPersistentManifold& manifold = *parts_->dispatcher.getManifoldByIndexInternal(i);
     for (int c = 0; c < manifold.getNumContacts(); ++c) {
       if (manifold.getContactPoint(c).getDistance() > 0.0) continue;
-      for (std::size_t o = 0; o < parts_->obstacles.size(); ++o) {
-        const btCollisionObject* obstacle = parts_->obstacles[o].get();
-        if (manifold.getBody0() == obstacle || manifold.getBody1() == obstacle) return o;
-      }
+      // The chassis itself has no index.
+      const int index =
+          std::max(manifold.getBody0()->getUserIndex(), manifold.getBody1()->getUserIndex());
+      if (index >= 0) return static_cast<std::size_t>(index);
     }
   }
   return std::nullopt;

@@ -53,9 +53,10 @@ std::optional<Incident> find_incident(const SimulationSetup& setup, const Machin
   }
   if (const auto touched = world.touched_obstacle()) {
     const Obstacle& obstacle = setup.field.obstacles[*touched];
-    return incident(Outcome::kHitObstacle, fmt::format("hit the {} at x {:.1f} m, y {:.1f} m",
-                                                       obstacle_kind_name(obstacle.kind),
-                                                       obstacle.p_W.x(), obstacle.p_W.y()));
+    const Eigen::Vector2d hit_W = nearest_of(obstacle, p_WB.head<2>());
+    return incident(Outcome::kHitObstacle,
+                    fmt::format("hit the {} at x {:.1f} m, y {:.1f} m",
+                                obstacle_kind_name(obstacle.kind), hit_W.x(), hit_W.y()));
   }
   if (std::any_of(report.contacts.begin(), report.contacts.end(),
                   [](const WheelContact& contact) { return !contact.on_terrain; })) {

@@ -82,6 +82,17 @@ double field_clearance_m(const Field& field, const Eigen::Vector2d& p_W) {
   return view.inside ? distance_m : -distance_m;
 }
 
+Eigen::Vector2d nearest_of(const Obstacle& obstacle, const Eigen::Vector2d& p_W) {
+  const double squared = obstacle.run_W.squaredNorm();
+  if (squared == 0.0) return obstacle.p_W;
+  const double t = std::clamp((p_W - obstacle.p_W).dot(obstacle.run_W) / squared, 0.0, 1.0);
+  return obstacle.p_W + t * obstacle.run_W;
+}
+
+double obstacle_gap_m(const Obstacle& obstacle, const Eigen::Vector2d& p_W) {
+  return (p_W - nearest_of(obstacle, p_W)).norm() - obstacle.radius_m;
+}
+
 std::string_view obstacle_kind_name(ObstacleKind kind) {
   switch (kind) {
     case ObstacleKind::kTree:
@@ -90,6 +101,10 @@ std::string_view obstacle_kind_name(ObstacleKind kind) {
       return "pole";
     case ObstacleKind::kRock:
       return "rock";
+    case ObstacleKind::kWall:
+      return "wall";
+    case ObstacleKind::kFence:
+      return "fence";
   }
   return "";
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,19 +15,22 @@ namespace headland {
 // Closed ring of points p_W [m]; the first point is not repeated at the end.
 using Ring = std::vector<Eigen::Vector2d>;
 
-enum class ObstacleKind { kTree, kPole, kRock };
+enum class ObstacleKind { kTree, kPole, kRock, kWall, kFence };
 
-// A solid upright cylinder on the terrain.
+// Something solid that stands upright on the terrain: all ground within radius_m of the point p_W
+// or, of walls and fences, of the straight piece from p_W to p_W + run_W.
 struct Obstacle {
   ObstacleKind kind = ObstacleKind::kTree;
   Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
-  double radius_m = 0.3;
+  double radius_m = 0.3;  // of walls and fences half the thickness
   double height_m = 5.0;
+  Eigen::Vector2d run_W = Eigen::Vector2d::Zero();
 };
 
 // The boundary runs counter-clockwise, holes run clockwise, no ring touches or crosses another or
-// itself, every hole and obstacle lies inside the boundary: the readers establish this
-// (check_field). A hole is ground that may neither be worked nor driven on.
+// itself, every hole, tree, pole and rock lies inside the boundary: the readers establish this
+// (check_field). Walls and fences may also run along it or beyond. A hole is ground that may
+// neither be worked nor driven on.
 struct Field {
   std::string name;
   Ring boundary;
@@ -49,6 +53,18 @@ bool inside_field(const Field& field, const Eigen::Vector2d& p_W);
 // negative outside it or in a hole.
 double field_clearance_m(const Field& field, const Eigen::Vector2d& p_W);
 
+// The point of the obstacle's middle line nearest to p_W, and the distance [m] from p_W to its
+// side, negative inside it.
+Eigen::Vector2d nearest_of(const Obstacle& obstacle, const Eigen::Vector2d& p_W);
+double obstacle_gap_m(const Obstacle& obstacle, const Eigen::Vector2d& p_W);
+
+inline constexpr std::array kEveryObstacleKind = {ObstacleKind::kTree, ObstacleKind::kPole,
+                                                  ObstacleKind::kRock, ObstacleKind::kWall,
+                                                  ObstacleKind::kFence};
 std::string_view obstacle_kind_name(ObstacleKind kind);
+// Whether it stands along a line (walls and fences) and not at a point.
+inline bool runs_along_line(ObstacleKind kind) {
+  return kind == ObstacleKind::kWall || kind == ObstacleKind::kFence;
+}
 
 }  // namespace headland

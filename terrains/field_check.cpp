@@ -109,28 +109,40 @@ void check_holes(const Field& field, const std::string& source) {
 }
 
 void require_size(const std::string& source, const std::string& where, double size_m,
-                  double most_m) {
-  if (size_m >= kMinObstacle_m && size_m <= most_m) return;
+                  double least_m, double most_m) {
+  if (size_m >= least_m && size_m <= most_m) return;
   throw InputError(source, where, fmt::format("{}", size_m),
-                   fmt::format("from {} to {} m", kMinObstacle_m, most_m));
-}
-
-void check_obstacles(const Field& field, const std::string& source) {
-  Field shell;
-  shell.boundary = field.boundary;
-  for (std::size_t i = 0; i < field.obstacles.size(); ++i) {
-    const Obstacle& obstacle = field.obstacles[i];
-    const std::string where = fmt::format("obstacles[{}]", i);
-    require_finite(source, where, {obstacle.p_W});
-    require_size(source, where + ".radius_m", obstacle.radius_m, kMaxObstacleRadius_m);
-    require_size(source, where + ".height_m", obstacle.height_m, kMaxObstacleHeight_m);
-    if (!inside_field(shell, obstacle.p_W)) {
-      refuse(field, source, where, obstacle.p_W, "lies outside the boundary");
-    }
-  }
+                   fmt::format("from {} to {} m", least_m, most_m));
 }
 
 }  // namespace
+
+void check_obstacle(const Field& field, const Obstacle& obstacle, const std::string& source,
+                    const std::string& where) {
+  Field shell;
+  shell.boundary = field.boundary;
+  const Eigen::Vector2d end_W = obstacle.p_W + obstacle.run_W;
+  require_finite(source, where, {obstacle.p_W, end_W});
+  require_size(source, where + ".height_m", obstacle.height_m, kMinObstacle_m,
+               kMaxObstacleHeight_m);
+  if (!runs_along_line(obstacle.kind)) {
+    require_size(source, where + ".radius_m", obstacle.radius_m, kMinObstacle_m,
+                 kMaxObstacleRadius_m);
+    if (!inside_field(shell, obstacle.p_W)) {
+      refuse(field, source, where, obstacle.p_W, "lies outside the boundary");
+    }
+    return;
+  }
+  require_size(source, where + ".thickness_m", 2.0 * obstacle.radius_m, kMinThickness_m,
+               kMaxThickness_m);
+  for (const Eigen::Vector2d& p_W : {obstacle.p_W, end_W}) {
+    const double clearance_m = field_clearance_m(shell, p_W);
+    if (clearance_m >= -kObstacleReach_m) continue;
+    refuse(field, source, where, p_W,
+           fmt::format("lies {:.0f} m outside the boundary (at most {:g} m)", -clearance_m,
+                       kObstacleReach_m));
+  }
+}
 
 void check_field(Field& field, const std::string& source) {
   require_finite(source, "boundary", field.boundary);
@@ -146,7 +158,9 @@ void check_field(Field& field, const std::string& source) {
     if (signed_area_m2(hole) > 0.0) std::ranges::reverse(hole);
   }
   check_holes(field, source);
-  check_obstacles(field, source);
+  for (std::size_t i = 0; i < field.obstacles.size(); ++i) {
+    check_obstacle(field, field.obstacles[i], source, fmt::format("obstacles[{}]", i));
+  }
   if (field.entry_W.has_value()) {
     require_finite(source, "entry", {*field.entry_W});
     const double clearance_m = field_clearance_m(field, *field.entry_W);

@@ -9,6 +9,7 @@
 
 #include "terrains/gdal_scope.h"
 #include "terrains/input_error.h"
+#include "terrains/obstacle_features.h"
 #include "terrains/vector_file.h"
 
 namespace headland {
@@ -67,7 +68,7 @@ std::vector<GivenPolygon> polygons_of(OGRLayer& layer, const std::string& stem) 
   like.crs = crs_of(layer);
   for (const auto& feature : layer) {
     const OGRGeometry* geometry = feature->GetGeometryRef();
-    if (geometry == nullptr) continue;
+    if (geometry == nullptr || is_obstacle(*feature)) continue;
     like.name = feature_name(*feature, stem);
     // Arcs of curved polygons become short chords.
     const std::unique_ptr<OGRGeometry> linear(geometry->getLinearGeometry());
@@ -114,11 +115,9 @@ OGRLayer& chosen_layer(GDALDataset& dataset, const FieldSource& field, const std
   throw InputError(file, "", "", "holds no polygon; a field's boundary is a polygon");
 }
 
-GivenPolygon only_polygon(const FieldSource& field) {
+GivenPolygon only_polygon(const FieldSource& field, GDALDataset& dataset) {
   const std::string file = field.file.string();
-  const GdalScope gdal;
-  const GDALDatasetUniquePtr dataset = open_vector_file(field.file);
-  OGRLayer& layer = chosen_layer(*dataset, field, file);
+  OGRLayer& layer = chosen_layer(dataset, field, file);
   std::vector<GivenPolygon> polygons = polygons_of(layer, field.file.stem().string());
   if (polygons.empty()) {
     throw InputError(file, "layer", layer.GetName(),
@@ -159,9 +158,12 @@ void require_finite_point(const Eigen::Vector2d& point, const std::string& sourc
 Field read_field(const FieldSource& given, const std::string& source) {
   const bool from_file = !given.file.empty();
   const std::string geometry_source = from_file ? given.file.string() : source;
+  const GdalScope gdal;
+  GDALDatasetUniquePtr dataset;
   GivenPolygon polygon;
   if (from_file) {
-    polygon = only_polygon(given);
+    dataset = open_vector_file(given.file);
+    polygon = only_polygon(given, *dataset);
   } else {
     polygon = {std::filesystem::path(source).stem().string(), given.crs, given.boundary,
                given.holes};
@@ -182,12 +184,15 @@ Field read_field(const FieldSource& given, const std::string& source) {
     return local_from_wgs84(field.frame, wgs84_from_crs(point_crs, {point}, source + ": " + where))
         .front();
   };
-  field.obstacles = given.obstacles;
-  for (std::size_t i = 0; i < field.obstacles.size(); ++i) {
-    field.obstacles[i].p_W = local(field.obstacles[i].p_W, fmt::format("obstacles[{}]", i));
-  }
   if (given.entry.has_value()) field.entry_W = local(*given.entry, "entry");
   check_field(field, geometry_source);
+  for (std::size_t i = 0; i < given.obstacles.size(); ++i) {
+    ObstacleSource obstacle = given.obstacles[i];
+    const std::string where = fmt::format("obstacles[{}]", i);
+    for (Eigen::Vector2d& point : obstacle.line) point = local(point, where);
+    add_obstacle(obstacle, source, where, field);
+  }
+  if (from_file) add_obstacle_features(*dataset, given, field);
   return field;
 }
 

@@ -10,6 +10,17 @@
 
 namespace headland {
 
+// One obstacle as it is given: at a point (trees, poles, rocks) or along a line (walls, fences).
+struct ObstacleSource {
+  ObstacleKind kind = ObstacleKind::kTree;
+  std::vector<Eigen::Vector2d> line;  // one point, or at least two
+  double radius_m = 0.3;              // half the thickness of walls and fences
+  double height_m = 5.0;
+};
+
+// What stands at a point or along a line with nothing else said.
+ObstacleSource default_obstacle(ObstacleKind kind);
+
 // As a scenario gives it. Coordinates are x,y in `crs` (east or longitude first); an empty crs with
 // inline coordinates means plain local metres (W itself, with no place on the earth), and with a
 // file means the file's own CRS (GeoJSON: WGS 84, RFC 7946). A crs given with a file overrules it.
@@ -19,21 +30,28 @@ struct FieldSource {
   std::string crs;
   Ring boundary;
   std::vector<Ring> holes;
-  std::vector<Obstacle> obstacles;       // p_W holds x,y in `crs` (of the file: WGS 84 lon,lat)
-  std::optional<Eigen::Vector2d> entry;  // likewise
+  std::vector<ObstacleSource> obstacles;  // in `crs` (of the file: WGS 84 longitude, latitude)
+  std::optional<Eigen::Vector2d> entry;   // likewise
 };
 
 // Reads a field from anything GDAL's vector drivers read (GeoJSON, GPKG, shapefile, KML, GML), or
 // from inline coordinates, brings it into the local frame W whose origin is the boundary's centre
-// rounded to 1e-4 deg, orients the rings and checks them. `source` is the scenario's file name for
-// messages. Throws InputError: missing or unreadable file, no polygon, several polygons (names the
-// largest), no CRS, empty or self-intersecting boundary (with the place), hole or obstacle or entry
-// outside the field, NaN, degrees taken for metres.
+// rounded to 1e-4 deg, orients the rings and checks them. Features of the file with a property
+// `obstacle` (a kind: tree, pole, rock, wall, fence) are obstacles: points with radius_m, lines
+// with thickness_m, both with height_m; a line becomes one obstacle for each straight piece.
+// `source` is the scenario's file name for messages. Throws InputError: missing or unreadable file,
+// no polygon, several polygons (names the largest), no CRS, empty or self-intersecting boundary
+// (with the place), hole or obstacle or entry outside the field, NaN, degrees taken for metres, an
+// obstacle of unknown kind, wrong shape or size.
 Field read_field(const FieldSource& field, const std::string& source);
 
 // Establishes Field's invariants on rings already in W: repeated points are merged, a closing
 // point is dropped, rings are oriented. Throws InputError as above.
 void check_field(Field& field, const std::string& source);
+
+// The same for one obstacle of a field whose rings are established.
+void check_obstacle(const Field& field, const Obstacle& obstacle, const std::string& source,
+                    const std::string& where);
 
 // Points nearer than this are one point, and rings nearer than this touch.
 inline constexpr double kSamePlace_m = 1e-3;
@@ -45,6 +63,10 @@ inline constexpr double kEntryTolerance_m = 1.0;
 // Radius and height of an obstacle.
 inline constexpr double kMinObstacle_m = 0.01;
 inline constexpr double kMaxObstacleRadius_m = 50.0;
+inline constexpr double kMinThickness_m = 2.0 * kMinObstacle_m;  // of walls and fences
+inline constexpr double kMaxThickness_m = 10.0;
 inline constexpr double kMaxObstacleHeight_m = 100.0;
+// Walls and fences may run this far outside the boundary.
+inline constexpr double kObstacleReach_m = 100.0;
 
 }  // namespace headland

@@ -47,9 +47,8 @@ Soil soil_of_cone_index(double cone_index_kpa) {
 }
 
 Soil soil_of_constants(const ConstantGround& ground) {
-  return {fmt::format("friction {:g}, rolling resistance {:g}", ground.friction,
-                      ground.rolling_resistance),
-          ground, 0.09, "given"};
+  return {fmt::format("mu {:g}, Crr {:g}", ground.friction, ground.rolling_resistance), ground,
+          0.09, "given"};
 }
 
 const Soil* find_soil(std::string_view name) {

@@ -36,7 +36,7 @@ struct Soil {
   std::string source;               // of the numbers
 };
 
-// Soils of the user's own numbers, named after them: "cone index 900 kPa".
+// Soils of the user's own numbers, named after them: "cone index 900 kPa", "mu 0.6, Crr 0.05".
 Soil soil_of_cone_index(double cone_index_kpa);
 Soil soil_of_constants(const ConstantGround& ground);
 

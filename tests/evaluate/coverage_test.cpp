@@ -174,6 +174,14 @@ TEST(Coverage, HolesAndObstaclesAreNotWorkable) {
   EXPECT_DOUBLE_EQ(f.covered_m2 + f.outside_m2, 80.0);
 }
 
+TEST(Coverage, WallsAreNotWorkable) {
+  Field field = rectangle(40.0, 20.0);
+  field.obstacles.push_back({ObstacleKind::kWall, {10.0, 5.0}, 0.5, 1.0, {15.0, 8.0}});
+  // A strip of the wall's thickness with round ends: 17 m long, 1 m wide.
+  const double wall_m2 = 17.0 * 1.0 + 0.25 * std::numbers::pi;
+  EXPECT_NEAR(figures(field, {}, 2.0).workable_m2, 800.0 - wall_m2, edge_tolerance_m2(36.0));
+}
+
 TEST(Coverage, TurningAboutOneEndCoversTheDiscOnce) {
   std::vector<FootprintSample> footprints;
   constexpr double kBar_m = 4.0;

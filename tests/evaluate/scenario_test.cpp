@@ -68,7 +68,9 @@ seed: 18446744073709551615
 field:
   boundary: [[0, 0], [60, 0], [60, 40], [0, 40]]
   holes: [[[10, 10], [12, 10], [12, 12]]]
-  obstacles: [{kind: rock, at: [30, 20], radius_m: 1.5, height_m: 0.8}]
+  obstacles:
+    - {kind: rock, at: [30, 20], radius_m: 1.5, height_m: 0.8}
+    - {kind: fence, line: [[40, 20], [45, 20], [45, 25]], thickness_m: 0.1}
   entry: [1, +2.5]
 terrain: {generator: rolling, amplitude_m: 2, cell_m: 0.5, micro_relief: {rms_m: 0.03}, seed: 9}
 vehicle: transplanter
@@ -80,7 +82,10 @@ verdict: {slip_max: {fail: 0.25}}
   EXPECT_EQ(scenario.seed, 18446744073709551615U);
   ASSERT_EQ(scenario.field.holes.size(), 1U);
   EXPECT_EQ(scenario.field.holes[0].size(), 3U);
-  ASSERT_EQ(scenario.field.obstacles.size(), 1U);
+  ASSERT_EQ(scenario.field.obstacles.size(), 2U);
+  EXPECT_EQ(scenario.field.obstacles[1].line.size(), 3U);
+  EXPECT_EQ(scenario.field.obstacles[1].radius_m, 0.05);
+  EXPECT_EQ(scenario.field.obstacles[1].height_m, 1.5);
   EXPECT_EQ(scenario.field.obstacles[0].kind, ObstacleKind::kRock);
   EXPECT_EQ(scenario.field.obstacles[0].radius_m, 1.5);
   EXPECT_EQ(scenario.field.entry, Eigen::Vector2d(1.0, 2.5));
@@ -123,7 +128,7 @@ TEST_F(ScenarioTest, ReadsBackWhatItWrote) {
 field:
   boundary: [[0.1, 0], [60, -1e-3], [60, 40], [0, 40]]
   holes: [[[10, 10], [12, 10], [12, 12]]]
-  obstacles: [{at: [30, 20]}, {kind: pole, at: [31, 21]}]
+  obstacles: [{at: [30, 20]}, {kind: wall, line: [[1, 2], [3, 4.5]], thickness_m: 0.3}]
   entry: [1, 2]
 terrain: {generator: rolling, wavelength_m: 80, micro_relief: {rms_m: 0.01}}
 vehicle: transplanter
@@ -272,6 +277,22 @@ TEST_F(ScenarioTest, RefusesMissingKeys) {
   EXPECT_THAT(refusal("field:\n  boundary: [[0, 0], [1, 0], [0, 1]]\n  obstacles: [{kind: tree}]\n"
                       "vehicle: transplanter\n"),
               AllOf(HasSubstr("line 3: field.obstacles.at"), HasSubstr("missing")));
+}
+
+TEST_F(ScenarioTest, RefusesObstaclesThatAreNeitherPointNorLine) {
+  const auto with = [&](const std::string& obstacle) {
+    return refusal("field:\n  boundary: [[0, 0], [9, 0], [0, 9]]\n  obstacles: [" + obstacle +
+                   "]\nvehicle: transplanter\n");
+  };
+  EXPECT_THAT(with("{kind: wall, at: [1, 1]}"),
+              HasSubstr("line 3: field.obstacles.at: only of trees, poles and rocks"));
+  EXPECT_THAT(with("{kind: wall}"), HasSubstr("field.obstacles.line: the key is missing: [[x, y]"));
+  EXPECT_THAT(with("{kind: tree, at: [1, 1], line: [[1, 1], [2, 2]]}"),
+              HasSubstr("field.obstacles.line: only of walls and fences"));
+  EXPECT_THAT(with("{kind: fence, line: [[1, 1], [2, 2]], thickness_m: 0}"),
+              HasSubstr("field.obstacles.thickness_m: '0': a number from 0.02 to 10 is needed"));
+  EXPECT_THAT(with("{kind: hedge, at: [1, 1]}"),
+              HasSubstr("unknown obstacle; known: tree, pole, rock, wall, fence"));
 }
 
 TEST_F(ScenarioTest, RefusesValuesOutOfTheirRange) {

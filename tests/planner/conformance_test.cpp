@@ -41,7 +41,7 @@ PlanRequest request_for(const Field& field, Machine machine, const std::string& 
 double clearance_m(const Field& field, const Eigen::Vector2d& p_W) {
   double clearance_m = field_clearance_m(field, p_W);
   for (const Obstacle& obstacle : field.obstacles) {
-    clearance_m = std::min(clearance_m, (p_W - obstacle.p_W).norm() - obstacle.radius_m);
+    clearance_m = std::min(clearance_m, obstacle_gap_m(obstacle, p_W));
   }
   return clearance_m;
 }

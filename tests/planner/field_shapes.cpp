@@ -52,6 +52,10 @@ std::vector<Field> field_shapes() {
   fields.push_back(field_of("trees", rectangle_ring(0, 0, 180, 140)));
   fields.back().obstacles = {{ObstacleKind::kTree, {60, 70}, 0.4, 8.0},
                              {ObstacleKind::kPole, {125, 62}, 0.2, 9.0}};
+  fields.push_back(field_of("walls", rectangle_ring(0, 0, 180, 140)));
+  fields.back().obstacles = {{ObstacleKind::kWall, {50, 60}, 0.2, 1.5, {40, 10}},
+                             {ObstacleKind::kWall, {90, 70}, 0.2, 1.5, {-5, 25}},
+                             {ObstacleKind::kFence, {0, -1}, 0.05, 1.2, {180, 0}}};
   fields.push_back(field_of("thin", rectangle_ring(0, 0, 240, 24)));
   return fields;
 }
@@ -62,7 +66,10 @@ Field moved(const Field& field, double angle_rad, const Eigen::Vector2d& shift) 
   Field result = field;
   std::ranges::for_each(result.boundary, move);
   for (Ring& hole : result.holes) std::ranges::for_each(hole, move);
-  for (Obstacle& obstacle : result.obstacles) move(obstacle.p_W);
+  for (Obstacle& obstacle : result.obstacles) {
+    move(obstacle.p_W);
+    obstacle.run_W = rotation * obstacle.run_W;
+  }
   if (result.entry_W) move(*result.entry_W);
   return result;
 }

@@ -26,15 +26,11 @@ Field wavy_field_with_hole() {
   field.holes.push_back({{-5.0, -5.0}, {-8.0, 6.0}, {4.0, 9.0}, {9.0, -2.0}});  // clockwise
   field.obstacles.push_back({ObstacleKind::kTree, {30.0, 5.0}, 0.4, 5.0});
   field.obstacles.push_back({ObstacleKind::kPole, {-30.0, -4.0}, 0.1, 5.0});
+  field.obstacles.push_back({ObstacleKind::kWall, {-20.0, 15.0}, 0.2, 1.5, {25.0, 8.0}});
   return field;
 }
 
 Hull hull() { return hull_of(made_up_vehicle(2.6, 6.0)); }
-
-double to_segment_m(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
-  const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-  return (p - a - t * (b - a)).norm();
-}
 
 // By looking at points all over the hull, closely along its rim: distance to what is nearest,
 // negative as soon as one point is out. Knows nothing of grids, boxes or clipping.
@@ -53,15 +49,16 @@ double sampled_clearance_m(const Field& field, const Hull& hull, const Pose& pos
                                -hull.half_width_m + 2.0 * hull.half_width_m * j / across);
       least_m = std::min(least_m, field_clearance_m(field, p));
       for (const Obstacle& obstacle : field.obstacles) {
-        least_m = std::min(least_m, (obstacle.p_W - p).norm() - obstacle.radius_m);
+        least_m = std::min(least_m, obstacle_gap_m(obstacle, p));
       }
     }
   }
+  const int along_bar = static_cast<int>(2.0 * hull.bar_half_width_m / step_m) + 1;
   for (const Obstacle& obstacle : field.obstacles) {
-    least_m =
-        std::min(least_m, to_segment_m(obstacle.p_W, world(hull.bar_x_m, -hull.bar_half_width_m),
-                                       world(hull.bar_x_m, hull.bar_half_width_m)) -
-                              obstacle.radius_m);
+    for (int i = 0; i <= along_bar; ++i) {
+      const double y_m = hull.bar_half_width_m * (2.0 * i / along_bar - 1.0);
+      least_m = std::min(least_m, obstacle_gap_m(obstacle, world(hull.bar_x_m, y_m)));
+    }
   }
   return least_m;
 }
@@ -97,7 +94,7 @@ RC_GTEST_PROP(FreeSpace, DiscAgreesWithExactDistance, ()) {
   const double radius_m = *rc::gen::inRange(1, 5000) * 1e-3;
   double exact_m = field_clearance_m(field, p_W);
   for (const Obstacle& obstacle : field.obstacles) {
-    exact_m = std::min(exact_m, (obstacle.p_W - p_W).norm() - obstacle.radius_m);
+    exact_m = std::min(exact_m, obstacle_gap_m(obstacle, p_W));
   }
   RC_ASSERT(disc_fits(space, p_W, radius_m) == (exact_m > radius_m));
 }

@@ -67,6 +67,7 @@ TEST(BulletWorld, ReportsTheObstacleThatTheHullTouches) {
   Field field = test::open_field();
   field.obstacles.push_back({ObstacleKind::kPole, {50.0, 0.0}, 0.1, 3.0});
   field.obstacles.push_back({ObstacleKind::kTree, {20.0, 10.0}, 0.3, 5.0});
+  field.obstacles.push_back({ObstacleKind::kWall, {-40.0, 20.0}, 0.2, 1.0, {20.0, 20.0}});
   const ChassisMass mass = chassis_mass(vehicle);
   const auto touched_at = [&](double x, double y) {
     BulletWorld world(field, terrain, vehicle);
@@ -78,6 +79,8 @@ TEST(BulletWorld, ReportsTheObstacleThatTheHullTouches) {
   };
   EXPECT_EQ(touched_at(49.0, 0.0), std::optional<std::size_t>(0));
   EXPECT_EQ(touched_at(19.0, 9.5), std::optional<std::size_t>(1));
+  EXPECT_EQ(touched_at(-30.0, 30.0), std::optional<std::size_t>(2));
+  EXPECT_EQ(touched_at(-40.0, 40.0), std::nullopt) << "in the corner of the wall's box";
   EXPECT_EQ(touched_at(0.0, 0.0), std::nullopt);
 }
 

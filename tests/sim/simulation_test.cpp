@@ -168,6 +168,32 @@ TEST(Simulation, HitsATreeInItsWay) {
   EXPECT_NEAR(run.samples.back().p_WB.x() + front_m, 29.7, 0.15);  // one sample's travel
 }
 
+// A wall across its way and a fence beside it that the hull clears by 10 cm.
+TEST(Simulation, HitsAWallAndPassesAFence) {
+  const Vehicle vehicle = transplanter();
+  const double side_m =
+      0.5 * std::max(vehicle.body.width_m, vehicle.implement.working_width_m) + 0.1;
+  Field field = test::open_field();
+  field.obstacles.push_back({ObstacleKind::kFence, {-10.0, side_m + 0.05}, 0.05, 1.2, {60.0, 0.0}});
+  const Heightfield flat = test::plane(0.0, 0.0);
+  EXPECT_EQ(
+      test::run(test::straight(40.0), vehicle, flat, test::textbook_soil(), {}, field).outcome,
+      Outcome::kFinished);
+  field.obstacles.push_back({ObstacleKind::kWall, {30.0, -20.0}, 0.15, 1.0, {0.0, 40.0}});
+  const RunRecord run =
+      test::run(test::straight(60.0), vehicle, flat, test::textbook_soil(), {}, field);
+  EXPECT_EQ(run.outcome, Outcome::kHitObstacle);
+  EXPECT_NE(run.outcome_detail.find("hit the wall at x 30.0 m, y 0.0 m"), std::string::npos)
+      << run.outcome_detail;
+  const double front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
+  EXPECT_NEAR(run.samples.back().p_WB.x() + front_m, 29.85, 0.15);  // one sample's travel
+  field.obstacles = {{ObstacleKind::kFence, {-10.0, side_m - 0.15}, 0.05, 1.2, {60.0, 0.0}}};
+  const RunRecord grazing =
+      test::run(test::straight(40.0), vehicle, flat, test::textbook_soil(), {}, field);
+  EXPECT_EQ(grazing.outcome, Outcome::kHitObstacle);
+  EXPECT_NE(grazing.outcome_detail.find("hit the fence"), std::string::npos);
+}
+
 TEST(Simulation, LeavesTheField) {
   const RunRecord run = test::run(test::straight(60.0), transplanter(), test::plane(0.0, 0.0),
                                   test::textbook_soil(), {}, test::open_field(40.0));

@@ -167,9 +167,9 @@ struct ParkedVehicle {
   double drift_mm_per_min = 0.0;  // over a minute, after 20 s to settle
   PerWheel<WheelState> wheels;
 };
-inline ParkedVehicle park(const Vehicle& vehicle, double slope, double rate_hz) {
+inline ParkedVehicle park(const Vehicle& vehicle, double slope, double rate_hz,
+                          const SoilMap& soil = textbook_soil()) {
   const Heightfield terrain = plane(slope, 0.0);
-  const SoilMap soil = textbook_soil();
   const Machine machine = make_machine(vehicle, terrain, soil);
   BulletWorld world(open_field(), terrain, vehicle);
   world.set_state(place_on_ground(machine, {0.0, 0.0}, 0.0));

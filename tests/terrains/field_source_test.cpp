@@ -85,7 +85,7 @@ TEST(InlineField, WithACrsComesToTheLocalFrame) {
   FieldSource source = inline_field(kUtmRings[0], {kUtmRings[1]});
   source.crs = "EPSG:32615";
   source.entry = Eigen::Vector2d(500000.0, 4860000.0);
-  source.obstacles = {{.p_W = {500150.0, 4860150.0}}};
+  source.obstacles = {{.line = {{500150.0, 4860150.0}}}};
   const Field field = read_field(source, "demo.yaml");
   expect_the_square(field);
   EXPECT_LT(std::abs(field_clearance_m(field, *field.entry_W)), kDegreeDigits_m);
@@ -202,12 +202,12 @@ TEST(InlineField, HolesInOrAcrossEachOtherAreRefused) {
 
 TEST(InlineField, ObstaclesOutsideOrAbsurdAreRefused) {
   FieldSource source = inline_field(square(0.0, 0.0, 50.0));
-  source.obstacles = {{.p_W = {70.0, 5.0}}};
+  source.obstacles = {{.line = {{70.0, 5.0}}}};
   EXPECT_EQ(line_of(source),
             "demo.yaml: obstacles[0]: lies outside the boundary at x 70.000 m, y 5.000 m");
-  source.obstacles = {{.p_W = {7.0, 5.0}, .radius_m = -1.0}};
+  source.obstacles = {{.line = {{7.0, 5.0}}, .radius_m = -1.0}};
   EXPECT_EQ(line_of(source), "demo.yaml: obstacles[0].radius_m: '-1': from 0.01 to 50 m");
-  source.obstacles = {{.p_W = {7.0, 5.0}, .height_m = 0.0}};
+  source.obstacles = {{.line = {{7.0, 5.0}}, .height_m = 0.0}};
   EXPECT_EQ(line_of(source), "demo.yaml: obstacles[0].height_m: '0': from 0.01 to 100 m");
 }
 
