@@ -53,7 +53,11 @@ void add_body(const Vehicle& vehicle, Figures& out) {
   out.add("total_mass_kg", total_mass_kg(vehicle), "Mass with implement",
           fmt::format("{:.0f} kg", total_mass_kg(vehicle)));
   out.add("com_B_m", {com_B.x(), com_B.y(), com_B.z()}, "Centre of mass",
-          fmt::format("{:.2f} m ahead, {:.2f} m up", com_B.x(), com_B.z()));
+          fmt::format("{:.2f} m {} {}, {:.2f} m up", std::abs(com_B.x()),
+                      com_B.x() < 0.0 ? "behind" : "ahead of",
+                      vehicle.steering.kind == SteeringKind::kFront ? "the rear axle"
+                                                                    : "the middle of the axles",
+                      com_B.z()));
   out.add("inertia_kg_m2", {inertia.x(), inertia.y(), inertia.z()}, "Inertia roll, pitch, yaw",
           fmt::format("{:.3g}, {:.3g}, {:.3g} kg m²", inertia.x(), inertia.y(), inertia.z()));
   out.add("size_m", {body.length_m, body.width_m, body.height_m}, "Length, width, height",

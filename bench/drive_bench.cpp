@@ -1,9 +1,10 @@
-// Speed and truth of the physics: real-time factor, step against a bare Bullet body, closed forms.
+// Speed and truth of a whole drive: real-time factor, closed forms, brake hold.
 // Usage: drive_bench [--json]
 #include <cmath>
 #include <cstdlib>
 
 #include "bench/figures.h"
+#include "bench/textbook_vehicle.h"
 #include "tests/sim/test_drives.h"
 
 namespace headland {
@@ -17,62 +18,15 @@ void add_speed(std::vector<bench::Figure>& figures) {
   const SoilMap soil = test::textbook_soil();
   const Path path = test::rows_with_omega_turns(12, 40.0, 2.0, planning_turning_radius_m(vehicle));
   const Field field = test::open_field();
-  const Machine machine = make_machine(vehicle, terrain, soil);
-
-  // Interleaved batches, so that a noisy machine disturbs both alike.
-  constexpr int kBatches = 9;
-  constexpr int kSteps = 20000;
-  std::vector<double> bare_us;
-  std::vector<double> step_us;
+  constexpr int kRuns = 9;
   std::vector<double> factor;
-  for (int batch = 0; batch < kBatches; ++batch) {
-    BulletWorld falling(field, terrain, vehicle);
-    ChassisState high;
-    high.p_WC = {0.0, 0.0, 1e5};
-    falling.set_state(high);
-    auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < kSteps; ++i) {
-      falling.step(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 1.0 / kRate_hz);
-    }
-    bare_us.push_back(1e6 * bench::seconds_since(start) / kSteps);
-
-    BulletWorld rolling(field, terrain, vehicle);
-    rolling.set_state(place_on_ground(machine, {0.0, 0.0}, 0.0));
-    MachineState state;
-    DriverCommand coasting;
-    coasting.wheel_torque_nm = 200.0;
-    start = std::chrono::steady_clock::now();
-    for (int i = 0; i < kSteps; ++i) {
-      step_machine(machine, coasting, {0.3, 0.0}, 0.0, 1.0 / kRate_hz, rolling, state);
-    }
-    step_us.push_back(1e6 * bench::seconds_since(start) / kSteps);
-
-    start = std::chrono::steady_clock::now();
+  for (int i = 0; i < kRuns; ++i) {
+    const auto start = std::chrono::steady_clock::now();
     const RunRecord run = simulate({field, terrain, soil, vehicle, path, {}, {}});
     factor.push_back(run.duration_s / bench::seconds_since(start));
   }
   figures.push_back({"drive without coverage, times real time, 240 Hz, one core",
                      bench::median(factor), "x", ">= 1000"});
-  figures.push_back(
-      {"machine step (wheels, motor, battery, ledger)", bench::median(step_us), "us", ""});
-  figures.push_back({"bare Bullet body's step", bench::median(bare_us), "us", ""});
-  figures.push_back({"ratio of the two", bench::median(step_us) / bench::median(bare_us), "", ""});
-}
-
-// Losses of the machine itself switched off: what is left are the textbook's terms.
-Vehicle textbook_vehicle() {
-  Vehicle vehicle = load_vehicle("transplanter");
-  vehicle.motor.copper_loss_kc = vehicle.motor.iron_loss_ki = 0.0;
-  vehicle.motor.windage_loss_kw = vehicle.motor.constant_loss_w = 0.0;
-  vehicle.battery.auxiliary_power_w = 0.0;
-  vehicle.drivetrain.efficiency = 0.8;
-  vehicle.implement.mass_kg = 0.0;
-  vehicle.body.com_B.x() = 0.5 * wheelbase_m(vehicle);
-  const double wheelbase = vehicle.front.x_B_m;
-  vehicle.front = vehicle.rear;
-  vehicle.front.x_B_m = wheelbase;
-  vehicle.front.driven = true;
-  return vehicle;
 }
 
 double energy_per_metre(const Vehicle& vehicle, double slope) {
@@ -88,7 +42,7 @@ double energy_per_metre(const Vehicle& vehicle, double slope) {
 }
 
 void add_closed_forms(std::vector<bench::Figure>& figures) {
-  const Vehicle vehicle = textbook_vehicle();
+  const Vehicle vehicle = bench::textbook_vehicle();
   const double weight_n = total_mass_kg(vehicle) * kGravity_mps2;
   const double flat = energy_per_metre(vehicle, 0.0) / (0.05 * weight_n / 0.8) - 1.0;
   const double slope_rad = std::atan(0.1);
