@@ -8,6 +8,8 @@
 #include "apps/commands.h"
 #include "apps/summary.h"
 #include "evaluate/atomic_file.h"
+#include "render/gnuplot.h"
+#include "render/vehicle_charts.h"
 #include "render/vehicle_mesh.h"
 #include "render/vehicle_sheet.h"
 #include "terrains/input_error.h"
@@ -25,6 +27,7 @@ struct CheckOptions {
   std::string vehicle;
   std::string soil = "firm";
   std::string picture;
+  std::string charts;
   CommonOptions common;
 };
 
@@ -143,11 +146,20 @@ int check(const CheckOptions& options) {
     write_together(file.has_parent_path() ? file.parent_path() : ".",
                    {{file.filename().string(), png_of(draw_vehicle_sheet(vehicle, shown, size))}});
   }
+  if (!options.charts.empty()) {
+    const std::filesystem::path file = options.charts;
+    const ChartFormat format = file.extension() == ".png" ? ChartFormat::kPng : ChartFormat::kSvg;
+    write_together(
+        file.has_parent_path() ? file.parent_path() : ".",
+        {{file.filename().string(), chart_of(vehicle_charts_script(vehicle, soil), format,
+                                             kVehicleChartsWidth_px, kVehicleChartsHeight_px)}});
+  }
   if (options.common.json) {
     Json json{{"name", vehicle.name}, {"description", vehicle.description}};
     for (const Figure& figure : figures.lines) json[figure.key] = figure.value;
     json["notes"] = notes;
     if (!options.picture.empty()) json["picture"] = options.picture;
+    if (!options.charts.empty()) json["charts"] = options.charts;
     fmt::print("{}\n", json_text(json, 2));
     return kExitRan;
   }
@@ -157,6 +169,7 @@ int check(const CheckOptions& options) {
   }
   for (const std::string& note : notes) fmt::print("note: {}\n", note);
   if (!options.picture.empty()) fmt::print("picture: {}\n", options.picture);
+  if (!options.charts.empty()) fmt::print("charts: {}\n", options.charts);
   return kExitRan;
 }
 
@@ -174,11 +187,14 @@ void add_vehicle_command(CLI::App& app, int& exit_code) {
   one->add_option("--soil", options->soil, "Soil for gradeability and range (headland list soils)")
       ->capture_default_str();
   one->add_option("-o,--output", options->picture, "Draw it into this PNG file");
+  one->add_option("--charts", options->charts,
+                  "Chart traction, motor, battery and climbing into this SVG or PNG file");
   add_size_option(*one, options->common);
   one->add_flag("--json", options->common.json, "Print the figures as JSON, in SI units");
   one->footer(
       "Examples:\n  headland vehicle check transplanter --soil tilled\n"
-      "  headland vehicle check my_robot/ -o my_robot.png\n\n"
+      "  headland vehicle check my_robot/ -o my_robot.png\n"
+      "  headland vehicle check utility_tractor --soil tilled --charts charts.svg\n\n"
       "Loads and limits hold for level ground, implement raised, rigid tyres, no slip; range for\n"
       "steady driving on the flat at the work speed, implement raised and working.");
   one->callback([options, &exit_code] { exit_code = check(*options); });

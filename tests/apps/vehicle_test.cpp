@@ -45,6 +45,18 @@ TEST_F(VehicleCommand, DrawsIt) {
   EXPECT_THAT(result.out, HasSubstr("robot.png"));
 }
 
+TEST_F(VehicleCommand, ChartsIt) {
+  const CommandResult result =
+      headland("vehicle check skid_steer_robot --soil soft --charts charts.svg");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const std::string svg = text_of(folder_ / "charts.svg");
+  EXPECT_THAT(svg, HasSubstr("</svg>"));
+  for (const char* word : {"Net pull", "concrete_wet", "Efficiency of one motor", "state of charge",
+                           "Power at 1.00 m/s on soft ground"}) {
+    EXPECT_THAT(svg, HasSubstr(word));
+  }
+}
+
 TEST_F(VehicleCommand, TakesAFolderWithABrokenMeshAsAPlainBoxAndSaysSo) {
   std::filesystem::copy(kVehicles / "transplanter", folder_ / "mine",
                         std::filesystem::copy_options::recursive);
