@@ -50,10 +50,10 @@ TEST_F(VehicleCommand, ChartsIt) {
       headland("vehicle check skid_steer_robot --soil soft --charts charts.svg");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   const std::string svg = text_of(folder_ / "charts.svg");
-  EXPECT_THAT(svg, HasSubstr("</svg>"));
+  EXPECT_TRUE(svg.ends_with("</svg>\n\n")) << svg.size();
   for (const char* word : {"Net pull", "concrete_wet", "Efficiency of one motor", "state of charge",
-                           "Power at 1.00 m/s on soft ground"}) {
-    EXPECT_THAT(svg, HasSubstr(word));
+                           "Power of driving on soft ground"}) {
+    EXPECT_TRUE(svg.find(word) != std::string::npos) << word;
   }
 }
 
