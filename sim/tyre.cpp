@@ -18,7 +18,7 @@ Bristle linearise(const Traction& traction, double lateral_gamma_rad, double loa
   const double c_y = 1.0 / (lateral_gamma_rad * kRelaxationLength_m);
   // The secant's limit at no deflection is the initial slope, which this u is close enough to.
   constexpr double kSmall = 1e-9;
-  const double u = std::max(std::hypot(c_x * z_x_m, c_y * z_y_m), kSmall);
+  const double u = std::max(Eigen::Vector2d(c_x * z_x_m, c_y * z_y_m).norm(), kSmall);
   const double strength = load_n * gross_pull(traction, u) / u;
   return {strength * c_x, strength * c_y};
 }
@@ -212,7 +212,7 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
     state.bristle_y_m = (state.bristle_y_m + dt_s * row.y.velocity(motion)) / relax;
     // What of the contact's velocity does not go into the bristles.
     result.sliding_mps[i] = row.relax_speed_mps / kRelaxationLength_m *
-                            std::hypot(state.bristle_x_m, state.bristle_y_m);
+                            Eigen::Vector2d(state.bristle_x_m, state.bristle_y_m).norm();
     result.along_n[i] = row.x.impulse / dt_s;
     result.across_n[i] = row.y.impulse / dt_s;
     result.brake_nm[i] = row.brake_share * row.coulomb_impulse / dt_s;
