@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 struct DriveOptions {
   CommonOptions common;
-  std::string track;
-  double tolerance_m = 0.3;
+  std::string path;
+  std::optional<double> tolerance_m;
 };
 
 bool same_folder(const fs::path& a, const fs::path& b) {
@@ -30,15 +30,15 @@ bool same_folder(const fs::path& a, const fs::path& b) {
 }
 
 // Puts the path to drive into the job's folder; tells about the track it comes from, if any.
-std::optional<TrackReport> prepare_path(const Job& job, const fs::path& planned,
-                                        const DriveOptions& options) {
-  if (!options.track.empty()) {
-    TrackReport report;
-    track_stage(job, options.track, options.tolerance_m, report);
-    return report;
-  }
-  if (!same_folder(planned, job.folder)) adopt_plan(job, planned);
+std::optional<TrackReport> prepare_path(const Job& job, const fs::path& given, bool from_plan) {
+  if (!from_plan) return given_path_stage(job);
+  if (!same_folder(given, job.folder)) adopt_plan(job, given);
   return std::nullopt;
+}
+
+void apply(const DriveOptions& options, Scenario& scenario) {
+  if (!options.path.empty()) scenario.path_file = options.path;
+  if (options.tolerance_m) scenario.path_tolerance_m = *options.tolerance_m;
 }
 
 // What made the plan is written in its folder; changed now it would not be the plan's any more.
@@ -51,27 +51,32 @@ void refuse_planning_options(const CommonOptions& options) {
 int drive(const DriveOptions& options) {
   const fs::path given = options.common.scenario;
   const bool planned = fs::is_directory(given);
-  if (!planned && options.track.empty()) {
-    throw InputError(
-        given.string(), "", "",
-        "no path to drive: give the folder that 'headland plan' wrote, or --path FILE");
+  const bool from_plan = planned && options.path.empty();
+  if (from_plan) {
+    refuse_planning_options(options.common);
+    if (!fs::exists(given / kPathFile)) {
+      throw InputError((given / kPathFile).string(), "", "",
+                       "no such file: 'headland plan' writes it");
+    }
+  } else if (options.common.folder.empty()) {
+    throw InputError("-o", "", "",
+                     "a folder for the results is needed when no planned folder is driven");
   }
-  if (options.common.folder.empty() && !options.track.empty()) {
-    throw InputError("-o", "", "", "--path needs a folder for the results");
-  }
-  if (options.track.empty()) refuse_planning_options(options.common);
-  if (planned && options.track.empty() && !fs::exists(given / kPathFile)) {
-    throw InputError((given / kPathFile).string(), "", "",
-                     "no such file: 'headland plan' writes it");
-  }
-  if (!(options.tolerance_m > 0.0 && options.tolerance_m <= 100.0)) {
-    throw InputError("--tolerance", "", fmt::format("{}", options.tolerance_m),
-                     "more than 0 and at most 100 m");
+  const double tolerance_m = options.tolerance_m.value_or(kMinTrackTolerance_m);
+  if (!(tolerance_m >= kMinTrackTolerance_m && tolerance_m <= kMaxTrackTolerance_m)) {
+    throw InputError("--tolerance", "", fmt::format("{}", tolerance_m),
+                     fmt::format("from {} to {} m", kMinTrackTolerance_m, kMaxTrackTolerance_m));
   }
   const fs::path folder = options.common.folder.empty() ? given : fs::path(options.common.folder);
-  const Job job = make_job(planned ? given / kScenarioFile : given, folder, options.common);
+  Job job = make_job(planned ? given / kScenarioFile : given, folder, options.common);
+  apply(options, job.scenario);
+  if (!from_plan && job.scenario.path_file.empty()) {
+    throw InputError(given.string(), "", "",
+                     "no path to drive: give the folder that 'headland plan' wrote, or --path FILE "
+                     "(path.file in the scenario)");
+  }
   check_drivable(job.stage.vehicle, job.scenario.file.string());
-  const std::optional<TrackReport> track = prepare_path(job, given, options);
+  const std::optional<TrackReport> track = prepare_path(job, given, from_plan);
   stop_if_interrupted();
   DriveResult result = drive_with_progress(job, options.common);
   if (options.common.json) {
@@ -97,13 +102,12 @@ void add_drive_command(CLI::App& app, int& exit_code) {
   command->add_option(
       "-o,--output", options->common.folder,
       "Folder for the results; default: the folder of the plan. Needed with --path");
-  command->add_option("--path", options->track,
-                      "Drive another tool's plan or a logged track instead: GeoJSON line or CSV "
-                      "with x,y in metres or lon,lat in degrees");
-  command
-      ->add_option("--tolerance", options->tolerance_m,
-                   "How far from its points the track may be smoothed, in metres")
-      ->capture_default_str();
+  command->add_option("--path", options->path,
+                      "Drive another tool's plan or a logged track instead: lines (GeoJSON, GPKG, "
+                      "GPX...) or CSV with lon,lat in degrees or x,y in metres; docs/paths.md. A "
+                      "path.geojson of headland is driven as it is");
+  command->add_option("--tolerance", options->tolerance_m,
+                      "How far from its points the track may be smoothed, in metres [0.3]");
   add_scenario_options(*command, options->common);
   add_record_option(*command, options->common);
   command->footer(

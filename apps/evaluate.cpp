@@ -13,11 +13,18 @@
 namespace headland {
 namespace {
 
+// Makes the path to drive; returns what to tell of it.
+std::string prepare(const Job& job) {
+  if (job.scenario.path_file.empty()) return path_notes(plan_stage(job).path);
+  const std::optional<TrackReport> track = given_path_stage(job);
+  return track ? track_summary(*track) : "";
+}
+
 int evaluate(const CommonOptions& options) {
   const PictureSize size = picture_size(options);
   const Job job = make_job(options.scenario, options.folder, options);
   check_drivable(job.stage.vehicle, job.scenario.file.string());
-  const PlanResult plan = plan_stage(job);
+  const std::string made = prepare(job);
   stop_if_interrupted();
   const DriveResult result = drive_with_progress(job, options);
   stop_if_interrupted();
@@ -25,8 +32,8 @@ int evaluate(const CommonOptions& options) {
   if (options.json) {
     fmt::print("{}\n", json_text(result.json, 2));
   } else if (!options.quiet) {
-    fmt::print("{}{}\nresults, tables and pictures are in {}\n", run_summary(job, result),
-               path_notes(plan.path), terminal_text(job.folder.string()));
+    fmt::print("{}{}\nresults, tables and pictures are in {}\n", run_summary(job, result), made,
+               terminal_text(job.folder.string()));
   }
   return exit_code_of(result.verdict);
 }

@@ -7,6 +7,7 @@
 #include "apps/summary.h"
 #include "apps/terminal_text.h"
 #include "evaluate/results.h"
+#include "terrains/input_error.h"
 #include "terrains/json_text.h"
 
 namespace headland {
@@ -14,6 +15,10 @@ namespace {
 
 int plan(const CommonOptions& options) {
   const Job job = make_job(options.scenario, options.folder, options);
+  if (!job.scenario.path_file.empty()) {
+    throw InputError(options.scenario, "path.file", job.scenario.path_file.string(),
+                     "is driven as it is, there is nothing to plan; 'headland evaluate' drives it");
+  }
   const bool had_run = std::filesystem::exists(job.folder / kRunFile);
   const PlanResult result = plan_stage(job);
   if (had_run && !options.quiet) {

@@ -34,13 +34,14 @@ std::vector<std::string> notes_on(const Stage& stage) {
   return notes;
 }
 
-// Names the scenario in a refusal, which knows of the field alone.
+// Names the file in a refusal, which knows of the field alone.
 template <typename Make>
-auto planned(const Job& job, Make make) {
+auto fitted(const std::filesystem::path& file, Make make) {
   try {
+    const InterruptAtOnce at_once;
     return make();
   } catch (const PlanInfeasible& refused) {
-    throw PlanInfeasible(fmt::format("{}: {}", job.scenario.file.string(), refused.what()));
+    throw PlanInfeasible(fmt::format("{}: {}", file.string(), refused.what()));
   }
 }
 
@@ -53,8 +54,7 @@ void remove_file(const std::filesystem::path& file) {
 
 PlanResult plan_stage(const Job& job) {
   const PlannerEntry& planner = find_planner(job.scenario.planner.name, job.scenario.file.string());
-  const PlanResult result = planned(job, [&] {
-    const InterruptAtOnce at_once;
+  const PlanResult result = fitted(job.scenario.file, [&] {
     PlanResult made;
     made.plan = planner.plan(plan_request(job.scenario, job.stage));
     made.path = make_path(job.stage.field, job.stage.vehicle, made.plan, job.scenario.path);
@@ -68,20 +68,26 @@ PlanResult plan_stage(const Job& job) {
   return result;
 }
 
-Path track_stage(const Job& job, const std::filesystem::path& track_file, double tolerance_m,
-                 TrackReport& report) {
-  const GeoFrame& frame = job.stage.field.frame;
-  Path path = planned(job, [&] {
-    const InterruptAtOnce at_once;
-    const Track track = read_track(track_file, frame);
-    return make_drivable(job.stage.field, job.stage.vehicle, track, tolerance_m, job.scenario.path,
-                         &report);
-  });
-  write_together(job.folder, {{kScenarioFile, scenario_yaml(job.scenario)},
-                              {kPathFile, path_geojson(path, frame)}});
+std::optional<TrackReport> given_path_stage(const Job& job) {
+  const std::filesystem::path& file = job.scenario.path_file;
+  require_no_result(job.folder, file);
+  std::string path_text;
+  std::optional<TrackReport> report;
+  if (is_path_file(file)) {
+    static_cast<void>(read_path(file, job.stage.field));
+    path_text = read_text(file);
+  } else {
+    const Path path = fitted(file, [&] {
+      return make_drivable(job.stage.field, job.stage.vehicle, read_track(file, job.stage.field),
+                           job.scenario.path_tolerance_m, job.scenario.path, &report.emplace());
+    });
+    path_text = path_geojson(path, job.stage.field.frame);
+  }
+  write_together(job.folder,
+                 {{kScenarioFile, scenario_yaml(job.scenario)}, {kPathFile, path_text}});
   remove_file(job.folder / kPlanFile);
   remove_results_from(job.folder, kRunFile);
-  return path;
+  return report;
 }
 
 void adopt_plan(const Job& job, const std::filesystem::path& from) {
@@ -130,8 +136,9 @@ void draw_stage(const Job& job, const PictureSize& size) {
     const CoverageRaster coverage = coverage_of(job, run);
     const Verdict verdict =
         judge(path, run, measure_run(path, run, coverage_figures(coverage)), job.scenario.verdict);
-    const PictureScene scene{stage.field, stage.terrain, stage.vehicle, path,
-                             run,         coverage,      &verdict};
+    const PictureScene scene{
+        stage.field, stage.terrain, stage.vehicle, path,
+        run,         coverage,      &verdict,      job.scenario.path_file.filename().string()};
     pictures = {{kFieldPicture, png_of(draw_field_map(scene, size))},
                 {kViewPicture, png_of(draw_view(scene, size))},
                 {kEnergyPicture, png_of(draw_energy_map(scene, size))}};

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,10 +44,11 @@ struct DriveResult {
 // Throws PlanInfeasible, and Interrupted after Ctrl-C: nothing is written then.
 PlanResult plan_stage(const Job& job);
 
-// Makes another tool's track drivable instead; tells in `report` what that took. Writes
-// scenario.yaml and path.geojson. Throws Interrupted after Ctrl-C: nothing is written then.
-Path track_stage(const Job& job, const std::filesystem::path& track_file, double tolerance_m,
-                 TrackReport& report);
+// Takes the scenario's path_file instead of planning: a path that headland wrote as it is, anything
+// else made drivable, and then tells what that took. Writes scenario.yaml and path.geojson. Throws
+// InputError and PlanInfeasible naming the file, and Interrupted after Ctrl-C: nothing is written
+// then.
+std::optional<TrackReport> given_path_stage(const Job& job);
 
 // Copies the plan and path that `plan` wrote into folder `from` to the job's folder. Throws
 // InputError as read_path does: nothing is written then.

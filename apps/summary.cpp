@@ -37,13 +37,17 @@ std::string place(const Peak& peak) {
 
 std::string headline(const Job& job) {
   const Scenario& scenario = job.scenario;
+  const std::string driven =
+      scenario.path_file.empty()
+          ? ""
+          : fmt::format("path {}, ", terminal_text(scenario.path_file.filename().string()));
   return fmt::format(
-      "{}: {} with {:.4g} m on {}, soil {}, terrain {}, seed {}\n", terminal_text(scenario.name),
+      "{}: {} with {:.4g} m on {}, soil {}, terrain {}, {}seed {}\n", terminal_text(scenario.name),
       terminal_text(job.stage.vehicle.name), scenario.working_width_m,
       hectares(field_area_m2(job.stage.field)), terminal_text(soil_text(scenario.soil)),
       scenario.terrain.file.empty() ? scenario.terrain.generator
                                     : terminal_text(scenario.terrain.file.filename().string()),
-      scenario.seed);
+      driven, scenario.seed);
 }
 
 std::string figures(const Vehicle& vehicle, const DriveResult& result) {

@@ -77,7 +77,11 @@ Json scenario_json(const RunReport& report) {
   json["soil"] = soil_text(scenario.soil);
   json["vehicle"] = scenario.vehicle;
   json["working_width_m"] = scenario.working_width_m;
-  json["planner"] = scenario.planner.name;
+  if (scenario.path_file.empty()) {
+    json["planner"] = scenario.planner.name;
+  } else {
+    json["path"] = scenario.path_file.filename().string();
+  }
   json["rate_hz"] = scenario.simulation.rate_hz;
   json["seed"] = scenario.seed;
   return json;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "evaluate/metrics.h"
 #include "evaluate/path_check.h"
 #include "terrains/input_error.h"
+#include "terrains/json_text.h"
 
 namespace headland {
 namespace {
@@ -142,6 +144,16 @@ std::string path_geojson(const Path& path, const GeoFrame& frame) {
     collection.features.push_back(std::move(feature));
   }
   return geojson_text(frame, collection);
+}
+
+bool is_path_file(const std::filesystem::path& file) {
+  if (file.extension() != ".geojson" && file.extension() != ".json") return false;
+  const Json top = parse_json(file);
+  const Json features = top.is_object() ? top.value("features", Json()) : Json();
+  return features.is_array() && std::any_of(features.begin(), features.end(), [](const Json& one) {
+           const Json properties = one.is_object() ? one.value("properties", Json()) : Json();
+           return properties.is_object() && properties.contains("heading_rad");
+         });
 }
 
 Path read_path(const std::filesystem::path& file, const Field& field) {

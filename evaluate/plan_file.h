@@ -18,6 +18,11 @@ std::string plan_geojson(const Plan& plan, const GeoFrame& frame);
 // curvatures within 1e-9 of what was written.
 std::string path_geojson(const Path& path, const GeoFrame& frame);
 
+// Whether the file is a path as path_geojson writes it, good or damaged: a FeatureCollection with
+// headings. Throws InputError as parse_json does for a file named .json or .geojson; what is named
+// otherwise is none.
+bool is_path_file(const std::filesystem::path& file);
+
 // Throws InputError naming the feature for anything that does not make a path in this field: an
 // unknown kind or gear, headings or curvatures that are not one a point, no segment at all, and
 // what check_path refuses.

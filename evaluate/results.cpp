@@ -88,6 +88,15 @@ void check_results_folder(const std::filesystem::path& folder) {
   for (const std::string_view name : kInOrder) require_no_folder(folder / name);
 }
 
+void require_no_result(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  for (const std::string_view name : kInOrder) {
+    std::error_code ignored;
+    if (!std::filesystem::equivalent(folder / name, file, ignored)) continue;
+    throw InputError(file.string(), "", "",
+                     "the results would replace it; give another folder for them with -o");
+  }
+}
+
 RunRecord read_run(const std::filesystem::path& folder, const Path& path) {
   RunRecord run = read_run_totals(folder / kMetricsFile);
   run.samples = read_run_csv(folder / kRunFile);

@@ -28,6 +28,9 @@ void remove_results_from(const std::filesystem::path& folder, std::string_view f
 // yet): as check_output_folder does, and for a folder under the name of one of the files.
 void check_results_folder(const std::filesystem::path& folder);
 
+// Throws InputError when `file` is one of the files in `folder` that a run replaces.
+void require_no_result(const std::filesystem::path& folder, const std::filesystem::path& file);
+
 // A run back from its tables and metrics.json, to the decimals written. Throws InputError naming
 // file, line and column: a file that is missing or cannot be read, a table that is none, time or
 // travel running backwards, a place far from the path, a run that belongs to another path.

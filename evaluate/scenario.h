@@ -33,6 +33,8 @@ struct Scenario {
   double working_width_m = 0.0;  // default: of the vehicle's implement
   PlannerChoice planner;
   PathOptions path;
+  std::filesystem::path path_file;  // driven instead of a plan; empty: the field is planned
+  double path_tolerance_m = 0.3;    // within which a track is smoothed, see make_drivable
   SimulationOptions simulation;
   double coverage_cell_m = 0.25;
   VerdictLimits verdict;

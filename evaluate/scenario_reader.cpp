@@ -264,6 +264,10 @@ Scenario read_scenario(const fs::path& file, std::optional<std::uint64_t> seed) 
   if (const auto path = numbers_section(top, "path", scenario)) {
     scenario.path.allow_overrun =
         read_flag(*path, "allow_overrun").value_or(scenario.path.allow_overrun);
+    // Whoever drives it will tell when it is gone: the results of a run outlive its track.
+    if (const auto name = read_word(*path, "file")) {
+      scenario.path_file = (folder / *name).lexically_normal();
+    }
   }
   if (const auto simulation = numbers_section(top, "simulation", scenario)) {
     if (scenario.simulation.record_hz > scenario.simulation.rate_hz) {

@@ -131,11 +131,17 @@ std::string scenario_yaml(const Scenario& given) {
   emit_soil(out, scenario.soil);
   emit(out, "vehicle", scenario.vehicle);
   emit_numbers_section(out, "implement", scenario);
-  begin_section(out, "planner");
-  emit(out, "name", scenario.planner.name);
-  emit_parameters(out, scenario.planner.parameters);
-  out << YAML::EndMap;
+  if (scenario.path_file.empty()) {
+    begin_section(out, "planner");
+    emit(out, "name", scenario.planner.name);
+    emit_parameters(out, scenario.planner.parameters);
+    out << YAML::EndMap;
+  }
   begin_section(out, "path");
+  if (!scenario.path_file.empty()) {
+    // It may have been given on the command line, from another folder than the results'.
+    emit(out, "file", std::filesystem::absolute(scenario.path_file).lexically_normal().string());
+  }
   emit_numbers(out, "path", scenario);
   emit(out, "allow_overrun", scenario.path.allow_overrun ? "true" : "false");
   out << YAML::EndMap;

@@ -13,8 +13,8 @@ Stage load_stage(const Scenario& scenario) {
   const std::string source = scenario.file.string();
   Stage stage;
   stage.field = read_field(scenario.field, source);
-  // Not after the scenario's file, which has another name among the results.
-  if (scenario.field.file.empty()) stage.field.name = scenario.name;
+  // Not after a file: the scenario's has another name among the results.
+  stage.field.name = scenario.name;
   stage.terrain = read_terrain(scenario.terrain, stage.field, source);
   SoilReading soil = read_soil(scenario.soil, stage.field, source);
   stage.soil = std::move(soil.map);

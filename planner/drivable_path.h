@@ -37,6 +37,9 @@ struct TrackReport {
   std::vector<std::string> notes;  // each with a place
 };
 
+inline constexpr double kMinTrackTolerance_m = 0.01;
+inline constexpr double kMaxTrackTolerance_m = 100.0;
+
 // Cuts the track where it has gaps, jumps or corners tighter than the vehicle can steer, smooths
 // the pieces within `tolerance_m`, and joins them like the passes of a plan. Throws PlanInfeasible
 // as make_path and for a track without a piece to follow; Cancelled.

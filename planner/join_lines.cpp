@@ -96,12 +96,12 @@ void record(Joining& joining, const Overrun& worst, std::string_view what) {
     const double would_do_m = std::ceil(depth_m / kWidthStep_m) * kWidthStep_m;
     throw PlanInfeasible(
         fmt::format("{}: it needs a headland of {:.1f} m and there are {:.1f} m; widen the "
-                    "headland, turn tighter or allow overruns",
+                    "headland, turn tighter or allow overruns (--allow-overrun)",
                     what, would_do_m, there_m));
   }
   throw PlanInfeasible(fmt::format(
       "{}: the way is blocked though the headland of {:.1f} m is deep enough; move the passes, "
-      "remove what is in the way or allow overruns",
+      "remove what is in the way or allow overruns (--allow-overrun)",
       what, there_m));
 }
 
@@ -168,7 +168,9 @@ void check_curvature(Joining& joining, std::size_t index) {
   const std::string what = fmt::format(
       "{} bends with a radius of {:.2f} m at {}, the vehicle's least is {:.2f} m",
       line_name(joining.lines, index), radius_m, place_name(joining.field, tightest->p_W), least_m);
-  if (!joining.options.allow_overrun) throw PlanInfeasible(what);
+  if (!joining.options.allow_overrun) {
+    throw PlanInfeasible(what + "; widen the bend or allow overruns (--allow-overrun)");
+  }
   joining.path.violations.push_back({tightest->p_W, joining.manoeuvre, least_m - radius_m, what});
 }
 
@@ -185,7 +187,7 @@ void append_line(Joining& joining, std::size_t index) {
       }
       throw PlanInfeasible(
           fmt::format("{} takes the hull {:.2f} m {} at {}; keep passes further inside or allow "
-                      "overruns",
+                      "overruns (--allow-overrun)",
                       line_name(joining.lines, index), worst.depth_m, limit_name(worst.limit),
                       place_name(joining.field, worst.p_W)));
     }
@@ -250,8 +252,10 @@ void append_entry(Joining& joining, const Eigen::Vector2d& entry_W) {
   }
   if (!joining.options.allow_overrun) {
     throw PlanInfeasible(fmt::format(
-        "no way from the entry at {} to {} at {} fits the hull", place_name(joining.field, entry_W),
-        line_name(joining.lines, 0), place_name(joining.field, to.p_W)));
+        "no way from the entry at {} to {} at {} fits the hull; move the entry or allow overruns "
+        "(--allow-overrun)",
+        place_name(joining.field, entry_W), line_name(joining.lines, 0),
+        place_name(joining.field, to.p_W)));
   }
   const Pose from = choices.empty() ? Pose{entry_W, to.heading_rad} : choices.front().from;
   const auto arcs = connect_overrunning(joining.space, from, pose_of(to), joining.radius_m);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "planner/drivable_path.h"
 #include "planner/join_lines.h"
@@ -64,6 +65,14 @@ std::string place_name(const Eigen::Vector2d& p_W) {
   return fmt::format("({:.1f}, {:.1f}) m", p_W.x(), p_W.y());
 }
 
+std::string pauses_note(const TrackPauses& pauses) {
+  return fmt::format(
+      "{} of {} pauses longer than {:.0f} s taken as breaks: the place jumps by more than {:.1f} m "
+      "or the heading turns by more than {:.0f} deg; work goes on through the others",
+      pauses.breaks, pauses.count, pauses.longest_interval_s, pauses.longest_step_m,
+      kPauseTurn_rad * 180.0 / std::numbers::pi);
+}
+
 }  // namespace
 
 Path make_drivable(const Field& field, const Vehicle& vehicle, const Track& track,
@@ -86,6 +95,7 @@ Path make_drivable(const Field& field, const Vehicle& vehicle, const Track& trac
     for (const TrackPiece& piece : found.pieces) {
       report->max_deviation_m = std::max(report->max_deviation_m, piece.max_deviation_m);
     }
+    if (track.pauses.count > 0) report->notes.push_back(pauses_note(track.pauses));
     for (const Eigen::Vector2d& corner : found.corners_W) {
       report->notes.push_back(fmt::format("corner tighter than {:.2f} m at {} replaced by a turn",
                                           planning_turning_radius_m(vehicle), place_name(corner)));

@@ -110,6 +110,7 @@ void write_title(Sheet& sheet, Typeface& typeface, const Page& page, const Pictu
   if (scene.vehicle.implement.working_width_m > 0.0) {
     line += fmt::format("  ·  {:.3g} m working width", scene.vehicle.implement.working_width_m);
   }
+  if (!scene.path_file.empty()) line += "  ·  " + scene.path_file;
   if (run.samples.empty()) {
     line += "  ·  not driven";
   } else {

@@ -7,30 +7,43 @@
 #include <string>
 #include <vector>
 
-#include "terrains/geo_frame.h"
+#include "terrains/field.h"
 
 namespace headland {
 
+// Intervals in a log much longer than usual, and how they were read.
+struct TrackPauses {
+  int count = 0;
+  int breaks = 0;                   // of them: the place jumped or the heading turned
+  double longest_interval_s = 0.0;  // that is no pause
+  double longest_step_m = 0.0;      // that is no jump
+};
+
 // Points p_W [m] in the order driven; the implement works along them. `break_before` holds,
-// ascending, the indices of points that are not joined to their predecessor: gaps in a log.
+// ascending, the indices of points that are not joined to their predecessor: there the implement
+// was up, or the log breaks off.
 struct Track {
   std::vector<Eigen::Vector2d> points_W;
   std::vector<std::size_t> break_before;
+  TrackPauses pauses;
 };
 
-// Reads a GeoJSON LineString / MultiLineString (or any vector file GDAL reads), or a CSV whose
-// header names x and y in metres of W (x, x_m, easting...; y, ...) or longitude and latitude (lon,
-// lon_deg, longitude, lng...; lat...). Optional CSV columns: a time in seconds or as ISO 8601 (a
-// step of more than kLogGapFactor times the median interval, forwards or back, is a break) and an
-// implement state (0/1; points with 0 are left out and break the track). Throws InputError with the
-// line: missing file, no usable header, a field that is not a number, fewer than two points, points
-// in degrees while `frame` is not georeferenced, a jump of more than kMaxJump_m between neighbours
-// (names both lines). Neighbours at the same place are merged, and a point alone between two breaks
-// is left out. For a field with no place on the earth, GeoJSON coordinates are taken as metres of
-// W.
-Track read_track(const std::filesystem::path& file, const GeoFrame& frame);
+// Reads the lines of a vector file that GDAL reads (GeoJSON, GPKG, GPX...), or a CSV whose header
+// names x and y in metres of W or longitude and latitude; docs/paths.md has all names. Optional: a
+// time (CSV) and whether the implement is down (a column, or a property of the line); what is up is
+// left out and breaks the track. An interval of more than kLogGapFactor times the median, forwards
+// or back, is a pause. It breaks the track where the step across it is longer than kLogGapFactor
+// times the median step or the heading turns by more than kPauseTurn_rad; otherwise work goes on.
+// Neighbours at the same place are merged, and a point alone between two breaks is left out. For a
+// field with no place on the earth, GeoJSON coordinates are taken as metres of W.
+// Throws InputError with the line: missing file, no usable header, a field that is not a number,
+// fewer than two points, none with the implement down, degrees for metres or where the field has no
+// place on the earth, a point further than kMaxMargin_m from the field's bounding box, a jump of
+// more than kMaxJump_m between neighbours (names both lines).
+Track read_track(const std::filesystem::path& file, const Field& field);
 
 inline constexpr double kLogGapFactor = 3.0;
+inline constexpr double kPauseTurn_rad = 0.5235987755982988;  // 30 deg
 inline constexpr double kMaxJump_m = 2000.0;
 
 }  // namespace headland

@@ -62,8 +62,72 @@ TEST_F(StagesTest, DrivesATrackOfAnotherTool) {
   const CommandResult result = headland("drive tiny.yaml --path track.csv -o DIR");
   EXPECT_EQ(result.exit_code, 1) << result.err;  // one strip does not cover the field
   EXPECT_THAT(result.out, HasSubstr("track made drivable"));
+  EXPECT_THAT(result.out, HasSubstr(", path track.csv, seed 1\n"));
   EXPECT_THAT(result.out, HasSubstr("finished"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "DIR" / "plan.geojson"));
+}
+
+TEST_F(StagesTest, APathOfHeadlandIsDrivenAsItIs) {
+  ASSERT_LE(headland("plan tiny.yaml -o OURS -q").exit_code, 1);
+  ASSERT_LE(headland("drive OURS -q").exit_code, 1);
+  ASSERT_LE(headland("drive tiny.yaml --path OURS/path.geojson -o DIR -q").exit_code, 1);
+  for (const char* name : {"path.geojson", "run.csv", "footprint.csv", "segments.csv"}) {
+    EXPECT_TRUE(text_of(folder_ / "DIR" / name) == text_of(folder_ / "OURS" / name)) << name;
+  }
+  auto ours = nlohmann::json::parse(text_of(folder_ / "OURS" / "metrics.json"));
+  auto again = nlohmann::json::parse(text_of(folder_ / "DIR" / "metrics.json"));
+  EXPECT_EQ(ours["scenario"]["planner"], "boustrophedon");
+  EXPECT_FALSE(again["scenario"].contains("planner"));
+  EXPECT_EQ(again["scenario"]["path"], "path.geojson");
+  ours.erase("scenario");
+  again.erase("scenario");
+  EXPECT_EQ(again, ours);
+}
+
+TEST_F(StagesTest, ADamagedPathOfHeadlandIsNotTakenForATrack) {
+  ASSERT_EQ(headland("plan tiny.yaml -o OURS -q").exit_code, 0);
+  std::string path = text_of(folder_ / "OURS" / "path.geojson");
+  path.replace(path.find("\"gear\":\"forward\""), 16, "\"gear\":\"sideway\"");
+  write("damaged.geojson", path);
+  const CommandResult result = headland("drive tiny.yaml --path damaged.geojson -o DIR");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.err,
+            "headland: damaged.geojson: feature 1: 'sideway': known: forward, reverse\n");
+}
+
+TEST_F(StagesTest, WhatWasDrivenIsNamedAndItsScenarioRunsAgain) {
+  write("track.csv", "x,y\n10,20\n50,20\n");
+  ASSERT_EQ(headland("drive tiny.yaml --path track.csv --tolerance 0.2 -o DIR -q").exit_code, 1);
+  const std::string scenario = text_of(folder_ / "DIR" / "scenario.yaml");
+  EXPECT_THAT(scenario, HasSubstr("file: " + (folder_ / "track.csv").string() + "\n"));
+  EXPECT_THAT(scenario, HasSubstr("tolerance_m: 0.2\n"));
+  EXPECT_THAT(scenario, ::testing::Not(HasSubstr("planner")));
+  const std::string metrics = text_of(folder_ / "DIR" / "metrics.json");
+  EXPECT_EQ(nlohmann::json::parse(metrics)["scenario"]["path"], "track.csv");
+  // Driven again from its folder, or all of it from its scenario.
+  ASSERT_EQ(headland("drive DIR -q").exit_code, 1);
+  EXPECT_EQ(text_of(folder_ / "DIR" / "metrics.json"), metrics);
+  write("again.yaml", scenario);
+  ASSERT_EQ(headland("evaluate again.yaml -o AGAIN --size 320x240 -q").exit_code, 1);
+  EXPECT_EQ(text_of(folder_ / "AGAIN" / "metrics.json"), metrics);
+  // The pictures outlive the track.
+  std::filesystem::remove(folder_ / "track.csv");
+  EXPECT_EQ(headland("render DIR --size 320x240 -q").exit_code, 0);
+  EXPECT_TRUE(text_of(folder_ / "DIR" / "field.png") == text_of(folder_ / "AGAIN" / "field.png"));
+  const CommandResult gone = headland("evaluate again.yaml -o AGAIN");
+  EXPECT_EQ(gone.exit_code, 2);
+  EXPECT_THAT(gone.err, HasSubstr("track.csv: no such file"));
+}
+
+TEST_F(StagesTest, ResultsDoNotReplaceThePathThatIsDriven) {
+  ASSERT_EQ(headland("plan tiny.yaml -o DIR -q").exit_code, 0);
+  const std::set<std::string> planned = files_in("DIR");
+  const CommandResult result = headland("drive tiny.yaml --path DIR/plan.geojson -o DIR");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.err,
+            "headland: DIR/plan.geojson: the results would replace it; give another "
+            "folder for them with -o\n");
+  EXPECT_EQ(files_in("DIR"), planned);
 }
 
 TEST_F(StagesTest, ATrackAndPlanningOptionsLeaveAPlannedFolderAlone) {
@@ -71,7 +135,7 @@ TEST_F(StagesTest, ATrackAndPlanningOptionsLeaveAPlannedFolderAlone) {
   ASSERT_EQ(headland("plan tiny.yaml -o DIR -q").exit_code, 0);
   const std::set<std::string> planned = files_in("DIR");
   const std::pair<const char*, const char*> refused[] = {
-      {"drive DIR --path track.csv", "-o: --path needs a folder"},
+      {"drive DIR --path track.csv", "-o: a folder for the results is needed"},
       {"drive DIR --seed 3", "--seed: '3': is for planning"},
       {"drive DIR --allow-overrun", "--allow-overrun: is for planning"}};
   for (const auto& [arguments, message] : refused) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <numbers>
 #include <random>
@@ -181,14 +182,21 @@ TEST(MakeDrivable, CombinesLogBecomesOnePath) {
   FieldSource source;
   source.file = folder / "boundary.geojson";
   const Field field = read_field(source, "test");
-  const Track track = read_track(folder / "driven_track.csv", field.frame);
+  const Track track = read_track(folder / "driven_track.csv", field);
   const Vehicle vehicle = made_up_vehicle(4.4, 9.0);
   PathOptions options;
   options.allow_overrun = true;
   TrackReport report;
   const Path path = make_drivable(field, vehicle, track, 0.5, options, &report);
   expect_continuous(path, planning_turning_radius_m(vehicle));
-  EXPECT_EQ(report.pieces, static_cast<int>(track.break_before.size()) + 1);
+  const auto left_out = std::count_if(
+      report.notes.begin(), report.notes.end(),
+      [](const std::string& note) { return note.find("left out") != std::string::npos; });
+  EXPECT_EQ(report.pieces + left_out,
+            static_cast<int>(track.break_before.size()) + 1 + report.cut_corners);
+  ASSERT_FALSE(report.notes.empty());
+  EXPECT_THAT(report.notes[0], testing::StartsWith("52 of 69 pauses longer than 9 s taken as "
+                                                   "breaks: the place jumps by more than 18.7 m"));
   EXPECT_LE(report.max_deviation_m, 0.5);
   double logged_m = 0.0;
   for (std::size_t i = 1; i < track.points_W.size(); ++i) {

@@ -62,12 +62,17 @@ TEST_F(Gartner, TerrainHasTheHeightsOfTheLog) {
 
 TEST_F(Gartner, TrackCoversTheFieldAndBreaksAtItsTurns) {
   const Field read = field();
-  const Track track = read_track(folder / "driven_track.csv", read.frame);
+  const Track track = read_track(folder / "driven_track.csv", read);
   EXPECT_EQ(track.points_W.size(), 4949U);
   const std::set<std::size_t> breaks(track.break_before.begin(), track.break_before.end());
-  // 39 gaps of 21 to 27 s are turns; the other gaps are stops and short interruptions.
+  // 39 gaps of 21 to 27 s are turns; the other breaks are where the combine went on elsewhere.
   EXPECT_GE(breaks.size(), 39U);
   EXPECT_LE(breaks.size(), 80U);
+  // Lines 164 and 165: stopped for 120 s and went on in line, 6 m further.
+  EXPECT_FALSE(breaks.contains(163));
+  EXPECT_EQ(track.pauses.breaks, static_cast<int>(breaks.size()));
+  EXPECT_EQ(track.pauses.count - track.pauses.breaks, 17);
+  EXPECT_EQ(track.pauses.longest_interval_s, 9.0);
   double length_m = 0.0;
   for (std::size_t i = 1; i < track.points_W.size(); ++i) {
     if (!breaks.contains(i)) length_m += (track.points_W[i] - track.points_W[i - 1]).norm();

@@ -1,0 +1,37 @@
+// A track as its file gives it, before it is brought into frame W: what the readers of CSV and of
+// vector files share.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "terrains/geo_frame.h"
+
+namespace headland {
+
+struct GivenPoint {
+  Eigen::Vector2d given = Eigen::Vector2d::Zero();  // metres, or longitude and latitude
+  bool joined = false;                              // to its predecessor
+  bool after_pause = false;                         // logged much later than its predecessor
+  std::size_t number = 0;                           // of its line or point in the file
+};
+
+// The points with the implement down, in order.
+struct GivenTrack {
+  std::vector<GivenPoint> points;
+  bool degrees = false;
+  double longest_interval_s = 0.0;  // that is no pause; 0 without times
+  std::string_view counted = "line";
+};
+
+// Both throw InputError as read_track does.
+GivenTrack track_from_csv(const std::filesystem::path& file, const GeoFrame& frame);
+GivenTrack track_from_vector_file(const std::filesystem::path& file, const GeoFrame& frame);
+
+// The middle value, of two the greater. At least one value.
+double median(std::vector<double> values);
+
+}  // namespace headland
