@@ -108,11 +108,11 @@ TEST_F(StagesTest, WhatWasDrivenIsNamedAndItsScenarioRunsAgain) {
   ASSERT_EQ(headland("drive DIR -q").exit_code, 1);
   EXPECT_EQ(text_of(folder_ / "DIR" / "metrics.json"), metrics);
   write("again.yaml", scenario);
-  ASSERT_EQ(headland("evaluate again.yaml -o AGAIN --size 320x240 -q").exit_code, 1);
+  ASSERT_EQ(headland("evaluate again.yaml -o AGAIN --size 640x400 -q").exit_code, 1);
   EXPECT_EQ(text_of(folder_ / "AGAIN" / "metrics.json"), metrics);
   // The pictures outlive the track.
   std::filesystem::remove(folder_ / "track.csv");
-  EXPECT_EQ(headland("render DIR --size 320x240 -q").exit_code, 0);
+  EXPECT_EQ(headland("render DIR --size 640x400 -q").exit_code, 0);
   EXPECT_TRUE(text_of(folder_ / "DIR" / "field.png") == text_of(folder_ / "AGAIN" / "field.png"));
   const CommandResult gone = headland("evaluate again.yaml -o AGAIN");
   EXPECT_EQ(gone.exit_code, 2);
