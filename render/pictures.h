@@ -26,7 +26,7 @@ struct PictureScene {
   const RunRecord& run;
   const CoverageRaster& coverage;
   const Verdict* verdict = nullptr;  // null: not judged, the pictures then say nothing of it
-  std::string path_file{};  // name of what was driven, for the subtitle; empty: a plan
+  std::string path_file{};           // name of what was driven, for the subtitle; empty: a plan
 };
 
 // Pixels, at least 240 x 240; the largest size depends on OpenGL and memory (4096 x 4096 works).
