@@ -277,6 +277,24 @@ TEST(MakePath, GoesAroundAHoleBetweenPasses) {
   EXPECT_EQ(path.segments[1].kind, PathKind::kTransit);
 }
 
+TEST(MakePath, GoesAroundTheEndOfAWallBetweenPasses) {
+  const Vehicle vehicle = made_up_vehicle(2.6, 2.0);
+  Field field = rectangle(80.0, 80.0);
+  field.obstacles.push_back({ObstacleKind::kWall, {40.0, -1.0}, 0.2, 1.5, {0.0, 66.0}});
+  Plan plan;
+  plan.passes.push_back({PassKind::kSwath, {{20.0, 60.0}, {20.0, 30.0}}});
+  plan.passes.push_back({PassKind::kSwath, {{60.0, 30.0}, {60.0, 60.0}}});
+  const Path path = make_path(field, vehicle, plan, {});
+  expect_continuous(path, vehicle);
+  expect_inside(path, field, vehicle, PathOptions{}.clearance_m);
+  for (const PathSegment& segment : path.segments) {
+    for (const PathPoint& point : segment.points) {
+      const bool at_the_wall = std::abs(point.p_W.x() - 40.0) < kPathSpacing_m;
+      EXPECT_TRUE(!at_the_wall || point.p_W.y() > 65.2) << point.p_W.transpose();
+    }
+  }
+}
+
 TEST(MakePath, RaisedImplementSwingsClearOfTrees) {
   const Vehicle vehicle = made_up_vehicle(2.6, 6.0);
   Field field = rectangle(60.0, 60.0);

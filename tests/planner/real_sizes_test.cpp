@@ -193,6 +193,29 @@ TEST(RealSizes, TheClearanceAskedForIsKept) {
   }
 }
 
+TEST(RealSizes, AWallInTheFieldIsWorkedAround) {
+  const Vehicle vehicle = load_vehicle("transplanter");
+  Field field = field_of("walled", rectangle_ring(0, 0, 56, 44));
+  PlanRequest request = request_for(field, vehicle);
+  const Path open = path_for(request, vehicle);
+  field.obstacles = {{ObstacleKind::kWall, {20, 18}, 0.2, 1.5, {12, 3}},
+                     {ObstacleKind::kWall, {32, 21}, 0.2, 1.5, {1, 6}}};
+  request.field = field;
+  const Path path = path_for(request, vehicle);
+  const FreeSpace space = free_space(field, hull_of(vehicle));
+  const auto hits = [&space](const Path& driven) {
+    int count = 0;
+    for (const PathSegment& segment : driven.segments) {
+      for (const PathPoint& point : segment.points) {
+        count += fits(space, {point.p_W, point.heading_rad}, -kFitTolerance_m) ? 0 : 1;
+      }
+    }
+    return count;
+  };
+  EXPECT_EQ(hits(path), 0);
+  EXPECT_GT(hits(open), 100) << "the wall is in the way of a plan that does not know it";
+}
+
 Plan two_swaths(double end_y_m) {
   Plan plan;
   plan.headland_width_m = 10.0;
