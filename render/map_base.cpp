@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "render/field_view.h"
+#include "render/obstacle_symbol.h"
 
 namespace headland {
 namespace {
@@ -58,65 +59,6 @@ void add_end(Sheet& sheet, const Page& page, const Point2& p_px) {
   fill_box(sheet, {box.x - rim, box.y - rim, size + 2 * rim, size + 2 * rim}, colours::kPaper);
   fill_box(sheet, box, colours::kEnd);
   frame_box(sheet, box, std::max(1.0, std::round(page.px(1.5))), colours::kInk);
-}
-
-void add_obstacle(Sheet& sheet, const Page& page, ObstacleKind kind, const Point2& p_px,
-                  double radius_px) {
-  const double line = std::max(1.0, page.px(1.4));
-  switch (kind) {
-    case ObstacleKind::kTree: {
-      fill_disc(sheet, p_px, radius_px + line, colours::kPaper);
-      fill_disc(sheet, p_px, radius_px, colours::kTree);
-      fill_disc(sheet, p_px, 0.35 * radius_px, colours::kPaper);
-      break;
-    }
-    case ObstacleKind::kPole: {
-      fill_disc(sheet, p_px, radius_px + line, colours::kPaper);
-      fill_disc(sheet, p_px, radius_px, colours::kInk);
-      const double reach = 0.55 * radius_px;
-      stroke(sheet,
-             std::array{Point2(p_px - Point2(reach, reach)), Point2(p_px + Point2(reach, reach))},
-             line, colours::kPaper);
-      stroke(sheet,
-             std::array{Point2(p_px - Point2(reach, -reach)), Point2(p_px + Point2(reach, -reach))},
-             line, colours::kPaper);
-      break;
-    }
-    case ObstacleKind::kRock: {
-      const std::array<Point2, 5> corners = {
-          p_px + radius_px * Point2(-1.0, 0.7), p_px + radius_px * Point2(-0.6, -0.5),
-          p_px + radius_px * Point2(0.2, -0.9), p_px + radius_px * Point2(0.9, -0.1),
-          p_px + radius_px * Point2(1.0, 0.7)};
-      stroke(sheet, corners, 2.0 * line, colours::kPaper, true);
-      fill_convex(sheet, corners, colours::kRock);
-      stroke(sheet, corners, line, colours::kInk, true);
-      break;
-    }
-    case ObstacleKind::kWall:
-    case ObstacleKind::kFence:
-      break;
-  }
-}
-
-// Walls are a broad line, fences a thin one with a post every now and then.
-void add_barrier(Sheet& sheet, const Page& page, ObstacleKind kind, const Point2& from_px,
-                 const Point2& to_px, double thickness_px) {
-  const std::array<Point2, 2> line = {from_px, to_px};
-  const double paper = std::max(2.0, page.px(2.4));
-  if (kind == ObstacleKind::kWall) {
-    const double width = std::max(page.px(4.5), thickness_px);
-    stroke(sheet, line, width + paper, colours::kPaper);
-    stroke(sheet, line, width, colours::kInkSoft);
-    return;
-  }
-  const double width = std::max(page.px(1.8), thickness_px);
-  stroke(sheet, line, width + paper, colours::kPaper);
-  stroke(sheet, line, width, colours::kInk);
-  const int spans =
-      std::max(1, static_cast<int>(std::lround((to_px - from_px).norm() / page.px(13))));
-  for (int i = 0; i <= spans; ++i) {
-    fill_disc(sheet, from_px + i * (to_px - from_px) / spans, 1.5 * width, colours::kInk);
-  }
 }
 
 double boundary_width_px(const Page& page) { return std::max(1.5, page.px(2.4)); }
@@ -181,13 +123,13 @@ void draw_field_lines(Sheet& sheet, const PictureScene& scene, const Page& page,
   stroke(sheet, map_line(view, scene.field.boundary), width, colours::kBoundary, true);
   for (const Obstacle& obstacle : scene.field.obstacles) {
     if (runs_along_line(obstacle.kind)) {
-      add_barrier(sheet, page, obstacle.kind, pixel_of(view.camera, obstacle.p_W),
-                  pixel_of(view.camera, obstacle.p_W + obstacle.run_W),
-                  2.0 * obstacle.radius_m * view.camera.px_per_m);
+      draw_barrier_symbol(sheet, page, obstacle.kind, pixel_of(view.camera, obstacle.p_W),
+                          pixel_of(view.camera, obstacle.p_W + obstacle.run_W),
+                          2.0 * obstacle.radius_m * view.camera.px_per_m);
       continue;
     }
     const double radius = std::max(page.px(5.5), obstacle.radius_m * view.camera.px_per_m);
-    add_obstacle(sheet, page, obstacle.kind, pixel_of(view.camera, obstacle.p_W), radius);
+    draw_obstacle_symbol(sheet, page, obstacle.kind, pixel_of(view.camera, obstacle.p_W), radius);
   }
 }
 
@@ -227,12 +169,12 @@ void legend_field(Legend& legend, const PictureScene& scene) {
     if (runs_along_line(kind)) {
       const Point2 middle = legend_symbol(legend, label);
       const Point2 reach(page.px(13), 0.0);
-      add_barrier(legend.sheet, page, kind, middle - reach, middle + reach, 0.0);
+      draw_barrier_symbol(legend.sheet, page, kind, middle - reach, middle + reach, 0.0);
       continue;
     }
     const Point2 centre =
         legend_symbol(legend, label, count > 1 ? fmt::format("{}", count) : std::string());
-    add_obstacle(legend.sheet, page, kind, centre, page.px(5.5));
+    draw_obstacle_symbol(legend.sheet, page, kind, centre, page.px(5.5));
   }
 }
 
