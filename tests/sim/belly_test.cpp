@@ -111,8 +111,8 @@ TEST(Belly, DoesNotCreepOnASlopeItsFrictionHolds) {
   Lying lying(vehicle, slope, soil);
   lying.rest(10.0);
   const Eigen::Vector3d before = lying.world.state().p_WC;
-  lying.rest(60.0);
-  EXPECT_LT((lying.world.state().p_WC - before).norm(), 1e-3);  // a minute
+  lying.rest(20.0);
+  EXPECT_LT((lying.world.state().p_WC - before).norm(), 3e-4);  // 1 mm a minute
 }
 
 // No look is left out that would have found a contact.

@@ -177,19 +177,19 @@ TEST(Simulation, HitsAWallAndPassesAFence) {
   field.obstacles.push_back({ObstacleKind::kFence, {-10.0, side_m + 0.05}, 0.05, 1.2, {60.0, 0.0}});
   const Heightfield flat = test::plane(0.0, 0.0);
   EXPECT_EQ(
-      test::run(test::straight(40.0), vehicle, flat, test::textbook_soil(), {}, field).outcome,
+      test::run(test::straight(10.0), vehicle, flat, test::textbook_soil(), {}, field).outcome,
       Outcome::kFinished);
-  field.obstacles.push_back({ObstacleKind::kWall, {30.0, -20.0}, 0.15, 1.0, {0.0, 40.0}});
+  field.obstacles.push_back({ObstacleKind::kWall, {12.0, -20.0}, 0.15, 1.0, {0.0, 40.0}});
   const RunRecord run =
-      test::run(test::straight(60.0), vehicle, flat, test::textbook_soil(), {}, field);
+      test::run(test::straight(20.0), vehicle, flat, test::textbook_soil(), {}, field);
   EXPECT_EQ(run.outcome, Outcome::kHitObstacle);
-  EXPECT_NE(run.outcome_detail.find("hit the wall at x 30.0 m, y 0.0 m"), std::string::npos)
+  EXPECT_NE(run.outcome_detail.find("hit the wall at x 12.0 m, y 0.0 m"), std::string::npos)
       << run.outcome_detail;
   const double front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
-  EXPECT_NEAR(run.samples.back().p_WB.x() + front_m, 29.85, 0.15);  // one sample's travel
+  EXPECT_NEAR(run.samples.back().p_WB.x() + front_m, 11.85, 0.15);  // one sample's travel
   field.obstacles = {{ObstacleKind::kFence, {-10.0, side_m - 0.15}, 0.05, 1.2, {60.0, 0.0}}};
   const RunRecord grazing =
-      test::run(test::straight(40.0), vehicle, flat, test::textbook_soil(), {}, field);
+      test::run(test::straight(10.0), vehicle, flat, test::textbook_soil(), {}, field);
   EXPECT_EQ(grazing.outcome, Outcome::kHitObstacle);
   EXPECT_NE(grazing.outcome_detail.find("hit the fence"), std::string::npos);
 }
