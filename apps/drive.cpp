@@ -11,7 +11,6 @@
 #include "evaluate/results.h"
 #include "terrains/input_error.h"
 #include "terrains/json_text.h"
-#include "vehicle_models/vehicle_check.h"
 
 namespace headland {
 namespace {
@@ -75,7 +74,6 @@ int drive(const DriveOptions& options) {
                      "no path to drive: give the folder that 'headland plan' wrote, or --path FILE "
                      "(path.file in the scenario)");
   }
-  check_drivable(job.stage.vehicle, job.scenario.file.string());
   const std::optional<TrackReport> track = prepare_path(job, given, from_plan);
   stop_if_interrupted();
   DriveResult result = drive_with_progress(job, options.common);

@@ -8,7 +8,6 @@
 #include "apps/summary.h"
 #include "apps/terminal_text.h"
 #include "terrains/json_text.h"
-#include "vehicle_models/vehicle_check.h"
 
 namespace headland {
 namespace {
@@ -23,7 +22,6 @@ std::string prepare(const Job& job) {
 int evaluate(const CommonOptions& options) {
   const PictureSize size = picture_size(options);
   const Job job = make_job(options.scenario, options.folder, options);
-  check_drivable(job.stage.vehicle, job.scenario.file.string());
   const std::string made = prepare(job);
   stop_if_interrupted();
   const DriveResult result = drive_with_progress(job, options);

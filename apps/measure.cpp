@@ -15,7 +15,6 @@
 #include "render/cost_chart.h"
 #include "render/gnuplot.h"
 #include "terrains/input_error.h"
-#include "vehicle_models/vehicle_check.h"
 #include "vehicle_models/vehicle_loader.h"
 
 namespace headland {
@@ -122,7 +121,6 @@ int measure(MeasureCommand& command) {
   check_output_folder(command.folder);
   const Soil& soil = soil_named(command.soil, "--soil", "");
   const Vehicle vehicle = load_vehicle(command.vehicle);
-  check_drivable(vehicle, command.vehicle);
   ProgressLine line = start_progress(command.quiet);
   options.progress = [&line](double done) {
     show_share(line, "measuring", done);

@@ -15,6 +15,7 @@
 #include "terrains/input_error.h"
 #include "terrains/json_text.h"
 #include "terrains/soil.h"
+#include "vehicle_models/draft.h"
 #include "vehicle_models/vehicle_figures.h"
 #include "vehicle_models/vehicle_loader.h"
 
@@ -101,10 +102,31 @@ void add_limits(const Vehicle& vehicle, const Soil& soil, Figures& out) {
   out.add("gradeability_by_grip", by_grip, "", "");
 }
 
+void add_pull(const Vehicle& vehicle, const Soil& soil, Figures& out) {
+  const double speed_mps = vehicle.driver.work_speed_mps;
+  const SoilFigures on_soil = figures_on(vehicle, soil);
+  const double draft = draft_n(vehicle.implement, soil.texture, speed_mps);
+  const double needed =
+      needed_pull_n(vehicle, on_soil.rolling_resistance, soil.texture, speed_mps, true);
+  const HitchPull pull = hitch_pull(vehicle, on_soil, speed_mps);
+  const double available = std::min(pull.by_motor_n, pull.by_grip_n);
+  out.add("draft_n", draft, fmt::format("Draft at {:g} m/s", speed_mps),
+          fmt::format("{:.2f} kN, {} soil", 1e-3 * draft, texture_name(soil.texture)));
+  out.add("pull_needed_n", needed, "Pull at work",
+          fmt::format("{:.2f} of {:.2f} kN ({})", 1e-3 * needed, 1e-3 * available,
+                      pull.by_motor_n < pull.by_grip_n ? "motor's limit" : "grip's limit"));
+  out.add("pull_by_motor_n", pull.by_motor_n, "", "");
+  out.add("pull_by_grip_n", pull.by_grip_n, "", "");
+  if (vehicle.implement.trailing) {
+    out.add("hitch_load_n", hitch_load_n(vehicle), "Load on the hitch pin",
+            fmt::format("{:.2f} kN", 1e-3 * hitch_load_n(vehicle)));
+  }
+}
+
 void add_endurance(const Vehicle& vehicle, const Soil& soil, bool working, Figures& out) {
   const double speed_mps = vehicle.driver.work_speed_mps;
-  const Endurance figure =
-      endurance(vehicle, speed_mps, figures_on(vehicle, soil).rolling_resistance, working);
+  const Endurance figure = endurance(
+      vehicle, speed_mps, figures_on(vehicle, soil).rolling_resistance, working, soil.texture);
   const std::string prefix = working ? "working_" : "raised_";
   out.add(prefix + "power_w", figure.power_w, "", "");
   out.add(prefix + "time_h", figure.time_h, "", "");
@@ -120,6 +142,7 @@ Figures figures_of(const Vehicle& vehicle, const Soil& soil) {
   Figures figures;
   add_body(vehicle, figures);
   add_limits(vehicle, soil, figures);
+  add_pull(vehicle, soil, figures);
   add_endurance(vehicle, soil, false, figures);
   add_endurance(vehicle, soil, true, figures);
   figures.add("battery_wh", nominal_energy_wh(vehicle.battery), "Battery",

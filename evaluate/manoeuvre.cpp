@@ -114,6 +114,7 @@ void add_turns_between_rows(const Vehicle& vehicle, const ManoeuvreRanges& range
   for (const double spacing_m : spacings_m) {
     if (spacing_m < diameter_m) add(ManoeuvreKind::kOmegaTurn, spacing_m);
   }
+  if (vehicle.implement.trailing) return;  // neither reverses nor turns on the spot
   for (const double spacing_m : spacings_m) {
     if (spacing_m < diameter_m) add(ManoeuvreKind::kThreePointTurn, spacing_m);
   }

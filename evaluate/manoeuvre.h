@@ -55,7 +55,8 @@ struct ManoeuvreRanges {
 
 // Straights with the implement down and raised: every speed along every slope that the motor can
 // reach, and the work speed across every side slope; on the flat stop and start, the implement's
-// cycle, 90-degree turns, and turns between rows of every kind that vehicle and spacing allow.
+// cycle, 90-degree turns, and turns between rows of every kind that vehicle, spacing and
+// a trailed implement allow.
 std::vector<Manoeuvre> standard_manoeuvres(const Vehicle& vehicle, const ManoeuvreRanges& ranges);
 
 }  // namespace headland

@@ -43,6 +43,7 @@ constexpr Column<RunSample> kRunColumns[] = {
     {"battery_voltage_v", 3, [](RunSample& s) -> double& { return s.battery_voltage_v; }},
     {"soc", 6, [](RunSample& s) -> double& { return s.soc; }},
     {"draft_n", 1, [](RunSample& s) -> double& { return s.draft_n; }},
+    {"hitch_angle_rad", 5, [](RunSample& s) -> double& { return s.hitch_angle_rad; }},
     {"wheel_load_rear_left_n", 1, [](RunSample& s) -> double& { return s.wheel_load_n[0]; }},
     {"wheel_load_rear_right_n", 1, [](RunSample& s) -> double& { return s.wheel_load_n[1]; }},
     {"wheel_load_front_left_n", 1, [](RunSample& s) -> double& { return s.wheel_load_n[2]; }},

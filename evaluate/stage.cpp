@@ -46,6 +46,7 @@ PlanRequest plan_request(const Scenario& scenario, const Stage& stage) {
   request.vehicle_width_m = vehicle.body.width_m;
   request.vehicle_front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
   request.vehicle_rear_m = std::max(vehicle.body.rear_overhang_m, -vehicle.implement.x_B_m);
+  request.forward_only = vehicle.implement.trailing.has_value();
   request.clearance_m = scenario.path.clearance_m;
   request.parameters = scenario.planner.parameters;
   request.seed = scenario.seed;

@@ -14,6 +14,9 @@ struct Pose {
   double heading_rad = 0.0;
 };
 
+// What may be driven: a trailed implement folds up in reverse.
+enum class Gears { kBoth, kForwardOnly };
+
 inline Pose pose_of(const PathPoint& point) { return {point.p_W, point.heading_rad}; }
 
 // A piece of constant curvature (0: a line), driven in one gear. Curvature as in PathPoint:

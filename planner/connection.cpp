@@ -82,11 +82,11 @@ std::optional<std::vector<Arc>> connect_by_turn(const FreeSpace& space, const Po
   const double clearance_m = options.clearance_m;
   if (!fits(space, from, clearance_m) || !fits(space, to, clearance_m)) return std::nullopt;
   // Run-outs only lengthen a turn, so they are looked at when the cheapest without does not fit.
-  auto direct = turns(from, to, options.radius_m);
+  auto direct = turns(from, to, options.radius_m, space.hull.gears);
   if (!direct.empty() && fits_along(space, from, direct.front().arcs, clearance_m)) {
     return std::move(direct.front().arcs);
   }
-  for (Turn& turn : turns_with_run_outs(from, to, options.radius_m)) {
+  for (Turn& turn : turns_with_run_outs(from, to, options.radius_m, space.hull.gears)) {
     if (fits_along(space, from, turn.arcs, clearance_m)) return std::move(turn.arcs);
   }
   return std::nullopt;
@@ -113,7 +113,7 @@ std::vector<Arc> connect_overrunning(const FreeSpace& space, const Pose& from, c
                                      double radius_m) {
   std::vector<Arc> best;
   double best_m = std::numeric_limits<double>::max();
-  for (Turn& turn : turns(from, to, radius_m)) {
+  for (Turn& turn : turns(from, to, radius_m, space.hull.gears)) {
     if (turn.cost_m >= best_m) break;  // cheapest first, and an overrun only adds
     const double depth_m = worst_overrun(space, from, turn.arcs).depth_m;
     const double total_m = turn.cost_m + kOverrunMetreCost * depth_m;
@@ -128,7 +128,7 @@ std::vector<Arc> connect_overrunning(const FreeSpace& space, const Pose& from, c
 double least_depth_m(const FreeSpace& space, const Pose& from, const Pose& to, double radius_m,
                      const Eigen::Vector2d& p_W, const Eigen::Vector2d& outward) {
   double least_m = std::numeric_limits<double>::max();
-  for (const Turn& turn : turns(from, to, radius_m)) {
+  for (const Turn& turn : turns(from, to, radius_m, space.hull.gears)) {
     double depth_m = 0.0;
     walk(from, turn.arcs, [&](const Pose& pose) {
       depth_m = std::max(depth_m, outward.dot(pose.p_W - p_W) +

@@ -22,6 +22,7 @@ Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
       throw PlanInfeasible(fmt::format("pass {} has no length", lines.size() + 1));
     }
     lines.push_back(work_line(pass, vehicle.implement.x_B_m));
+    if (pass.kind == PassKind::kSwath) add_run_in(lines.back(), run_in_m(vehicle));
   }
   const ConnectionOptions connection{planning_turning_radius_m(vehicle), options.clearance_m,
                                      cancelled};

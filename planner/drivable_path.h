@@ -23,7 +23,8 @@ struct PathOptions {
 // Joins the passes of `plan` in their order by the cheapest turn that fits: U, omega, three-point,
 // any Dubins or Reeds-Shepp curve, or a route around what is in the way (hybrid A*). Swaths are
 // shifted along their direction so that the implement, not the axle, works from end to end. The
-// path begins at the field's entry, if it has one.
+// path begins at the field's entry, if it has one. With a trailed implement nothing is driven in
+// reverse, and swaths have a straight run-in (run_in_m of work_line.h).
 // Throws PlanInfeasible naming the place and the headland width that would do when a turn does not
 // fit and overruns are not allowed, also for a pass without length; Cancelled.
 Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,

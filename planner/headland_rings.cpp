@@ -135,7 +135,11 @@ FirstRound first_round(const PlanRequest& request) {
 
 double turning_depth_m(const PlanRequest& request) {
   const double radius_m = request.turning_radius_m;
-  return request.vehicle_rear_m +
+  const double apart_m = radius_m + request.working_width_m / 2.0;
+  const double bulb_m = request.forward_only && apart_m < 2.0 * radius_m
+                            ? std::sqrt(4.0 * radius_m * radius_m - apart_m * apart_m)
+                            : 0.0;
+  return request.vehicle_rear_m + bulb_m +
          std::max(radius_m + request.working_width_m / 2.0,
                   std::hypot(radius_m + request.vehicle_width_m / 2.0, request.vehicle_front_m)) +
          request.clearance_m;

@@ -47,7 +47,8 @@ inline constexpr double kWidestCorner = 2.5;
 // three-point turn both begin with a quarter circle of the turning radius R, so
 //   depth = rear + max(R + w/2, hypot(R + hull width/2, front)) + clearance
 // with the implement lifted but its width w swung along, the front corner of the hull, and the
-// rear overhang by which the axle is ahead of the working line.
+// rear overhang by which the axle is ahead of the working line. Who drives forward only swings
+// sqrt(4 R^2 - (R + w/2)^2) further out where w < 2 R (omega turn).
 double turning_depth_m(const PlanRequest& request);
 
 // Smallest number of rounds whose ground is turning_depth_m deep.

@@ -16,6 +16,7 @@ Hull hull_of(const Vehicle& vehicle) {
   hull.half_width_m = 0.5 * vehicle.body.width_m;
   hull.bar_x_m = vehicle.implement.x_B_m;
   hull.bar_half_width_m = 0.5 * vehicle.implement.working_width_m;
+  if (vehicle.implement.trailing) hull.gears = Gears::kForwardOnly;
   return hull;
 }
 

@@ -17,6 +17,7 @@ struct Hull {
   double half_width_m = 0.0;
   double bar_x_m = 0.0;
   double bar_half_width_m = 0.0;
+  Gears gears = Gears::kBoth;
 };
 
 Hull hull_of(const Vehicle& vehicle);

@@ -136,7 +136,20 @@ double to_go_m(const Search& search, const Pose& pose) {
   const double around_m =
       search.guide.distance_m[static_cast<std::size_t>(search.guide.index(pose.p_W))];
   if (around_m > kNearGoal * search.options.radius_m) return around_m;
-  return std::max(around_m, reeds_shepp_length_m(pose, search.to, search.options.radius_m));
+  const double radius_m = search.options.radius_m;
+  return std::max(around_m, search.space.hull.gears == Gears::kForwardOnly
+                                ? forward_length_m(pose, search.to, radius_m)
+                                : reeds_shepp_length_m(pose, search.to, radius_m));
+}
+
+// The shortest curve to the goal, whatever is in the way.
+std::optional<Turn> closing_curve(const Search& search, const Pose& pose) {
+  if (search.space.hull.gears == Gears::kBoth) {
+    return reeds_shepp(pose, search.to, search.options.radius_m);
+  }
+  std::vector<Turn> found = turns(pose, search.to, search.options.radius_m, Gears::kForwardOnly);
+  if (found.empty()) return std::nullopt;
+  return std::move(found.front());
 }
 
 void reach(Search& search, const Node& node) {
@@ -157,6 +170,7 @@ void expand(Search& search, int index) {
   const Node node = search.nodes[static_cast<std::size_t>(index)];
   const double curvature = 1.0 / search.options.radius_m;
   for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
+    if (gear == Gear::kReverse && search.space.hull.gears == Gears::kForwardOnly) continue;
     for (const double bend : {0.0, curvature, -curvature}) {
       Node next;
       next.arrival = {search.step_m, bend, gear};
@@ -200,7 +214,7 @@ std::vector<Arc> shortened(const FreeSpace& space, const Pose& from, const std::
     for (std::size_t count = arcs.size() - i; count >= 2; count /= 2) {
       const auto begin = arcs.begin() + static_cast<std::ptrdiff_t>(i);
       const std::vector<Arc> old(begin, begin + static_cast<std::ptrdiff_t>(count));
-      const auto all = turns(pose, end_of(pose, old), options.radius_m);
+      const auto all = turns(pose, end_of(pose, old), options.radius_m, space.hull.gears);
       if (all.empty() || all.front().cost_m >= cost_m(old)) continue;
       if (!fits_along(space, pose, all.front().arcs, options.clearance_m)) continue;
       piece = all.front().arcs;
@@ -248,7 +262,7 @@ std::optional<std::vector<Arc>> find_route(const FreeSpace& space, const Pose& f
     if (++count % kAskEvery == 0) stop_if(options.cancelled);
     const bool near = reached.cost - node.cost_m < kGreed * kNearGoal * options.radius_m;
     if (near || count % kTryEvery == 1) {
-      const auto closing = reeds_shepp(node.pose, to, options.radius_m);
+      const auto closing = closing_curve(search, node.pose);
       if (closing && node.cost_m + closing->cost_m < best_m &&
           fits_along(space, node.pose, closing->arcs, options.clearance_m)) {
         best_m = node.cost_m + closing->cost_m;

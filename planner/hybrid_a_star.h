@@ -21,7 +21,8 @@ struct RouteOptions {
 // whose steps are arcs, guided by the longer of the Reeds-Shepp length and a grid's shortest way
 // around the limits, closed by a Reeds-Shepp curve that fits, then shortened where a closed-form
 // turn saves something. Deviations: the grid guides with a disc of the hull's half width, and the
-// way to go is weighed so that far fewer nodes are needed (not the best route, a good one). None
+// way to go is weighed so that far fewer nodes are needed (not the best route, a good one). A hull
+// that drives forward only is guided and closed by Dubins curves instead. None
 // when there is no way or `max_nodes` were not enough. `expanded` (may be null) counts the nodes.
 // Throws Cancelled.
 std::optional<std::vector<Arc>> find_route(const FreeSpace& space, const Pose& from, const Pose& to,

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "planner/connection.h"
 #include "planner/turns.h"
@@ -174,6 +175,19 @@ void check_curvature(Joining& joining, std::size_t index) {
   joining.path.violations.push_back({tightest->p_W, joining.manoeuvre, least_m - radius_m, what});
 }
 
+// A run-in belongs to the turn that leads to it.
+void append_run_in(Joining& joining, std::vector<PathPoint> points) {
+  std::vector<PathSegment>& segments = joining.path.segments;
+  if (segments.empty() || segments.back().implement_down) {
+    segments.push_back(
+        {PathKind::kTransit, Gear::kForward, false, joining.manoeuvre, std::move(points)});
+    ++joining.manoeuvre;
+    return;
+  }
+  std::vector<PathPoint>& turn = segments.back().points;
+  turn.insert(turn.end(), points.begin() + 1, points.end());
+}
+
 void append_line(Joining& joining, std::size_t index) {
   const WorkLine& line = joining.lines[index];
   const Overrun worst = worst_overrun(joining.space, line.points);
@@ -194,8 +208,10 @@ void append_line(Joining& joining, std::size_t index) {
     record(joining, worst, line_name(joining.lines, index));
   }
   check_curvature(joining, index);
+  const auto work_begin = line.points.begin() + static_cast<std::ptrdiff_t>(line.run_in);
+  if (line.run_in > 0) append_run_in(joining, {line.points.begin(), work_begin + 1});
   joining.path.segments.push_back(
-      {line.kind, Gear::kForward, true, joining.manoeuvre, line.points});
+      {line.kind, Gear::kForward, true, joining.manoeuvre, {work_begin, line.points.end()}});
   ++joining.manoeuvre;
 }
 
@@ -229,7 +245,7 @@ void append_entry(Joining& joining, const Eigen::Vector2d& entry_W) {
   };
   std::vector<Choice> choices;
   for (const Pose& from : poses) {
-    for (Turn& turn : turns(from, pose_of(to), joining.radius_m)) {
+    for (Turn& turn : turns(from, pose_of(to), joining.radius_m, joining.space.hull.gears)) {
       choices.push_back({from, std::move(turn)});
     }
   }

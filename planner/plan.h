@@ -33,6 +33,7 @@ struct PlanRequest {
   double vehicle_width_m = 0.0;   // hull, without implement
   double vehicle_front_m = 0.0;   // hull ahead of B's origin
   double vehicle_rear_m = 0.0;    // hull or implement behind B's origin
+  bool forward_only = false;      // cannot turn with reverse gear (see arcs.h)
   double clearance_m = 0.1;       // to be kept between hull and boundary, holes and obstacles
   Parameters parameters;          // resolved against the planner's specs
   std::uint64_t seed = 1;

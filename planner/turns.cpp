@@ -23,10 +23,11 @@ constexpr double kZeroLength_m = 1e-9;
 // Swath ends further from level than this many radii are not levelled by a run-out.
 constexpr double kMaxLevelling = 6.0;
 
-using Gears = std::array<Gear, 3>;
+using GearsOfArcs = std::array<Gear, 3>;
 constexpr Gear F = Gear::kForward;
 constexpr Gear B = Gear::kReverse;
-constexpr std::array<Gears, 4> kGears = {{{F, F, F}, {F, B, F}, {B, F, F}, {F, F, B}}};
+// Forward only first.
+constexpr std::array<GearsOfArcs, 4> kGears = {{{F, F, F}, {F, B, F}, {B, F, F}, {F, F, B}}};
 
 double sign_of(Gear gear) { return gear == Gear::kForward ? 1.0 : -1.0; }
 
@@ -56,7 +57,7 @@ Eigen::Vector2d circle_centre(const Pose& pose, double side, double radius_m) {
 double angle_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
 // Arc, line, arc: the line touches both circles, driven along its heading or against it.
-void add_with_line(const Pose& from, const Pose& to, double radius_m, const Gears& gears,
+void add_with_line(const Pose& from, const Pose& to, double radius_m, const GearsOfArcs& gears,
                    std::vector<Turn>& found) {
   for (const double side_a : {1.0, -1.0}) {
     for (const double side_b : {1.0, -1.0}) {
@@ -78,7 +79,7 @@ void add_with_line(const Pose& from, const Pose& to, double radius_m, const Gear
 }
 
 // Three arcs: the middle circle touches the outer ones, which lie on the same side.
-void add_with_circle(const Pose& from, const Pose& to, double radius_m, const Gears& gears,
+void add_with_circle(const Pose& from, const Pose& to, double radius_m, const GearsOfArcs& gears,
                      std::vector<Turn>& found) {
   for (const double side : {1.0, -1.0}) {
     const Eigen::Vector2d centre_a = circle_centre(from, side, radius_m);
@@ -140,10 +141,12 @@ void keep_distinct(std::vector<Turn>& found) {
   found.erase(std::unique(found.begin(), found.end(), same), found.end());
 }
 
-void add_closed_forms(const Pose& from, const Pose& to, double radius_m, std::vector<Turn>& found) {
-  for (const Gears& gears : kGears) {
-    add_with_line(from, to, radius_m, gears, found);
-    add_with_circle(from, to, radius_m, gears, found);
+void add_closed_forms(const Pose& from, const Pose& to, double radius_m, Gears gears,
+                      std::vector<Turn>& found) {
+  for (const GearsOfArcs& of_arcs : kGears) {
+    add_with_line(from, to, radius_m, of_arcs, found);
+    add_with_circle(from, to, radius_m, of_arcs, found);
+    if (gears == Gears::kForwardOnly) return;
   }
 }
 
@@ -188,25 +191,28 @@ double forward_length_m(const Pose& from, const Pose& to, double radius_m) {
   return shortest_m;
 }
 
-std::vector<Turn> turns(const Pose& from, const Pose& to, double radius_m) {
+std::vector<Turn> turns(const Pose& from, const Pose& to, double radius_m, Gears gears) {
   std::vector<Turn> found;
-  add_closed_forms(from, to, radius_m, found);
-  if (auto turn = reeds_shepp(from, to, radius_m)) found.push_back(std::move(*turn));
+  add_closed_forms(from, to, radius_m, gears, found);
+  if (gears == Gears::kBoth) {
+    if (auto turn = reeds_shepp(from, to, radius_m)) found.push_back(std::move(*turn));
+  }
   keep_distinct(found);
   return found;
 }
 
-std::vector<Turn> turns_with_run_outs(const Pose& from, const Pose& to, double radius_m) {
+std::vector<Turn> turns_with_run_outs(const Pose& from, const Pose& to, double radius_m,
+                                      Gears gears) {
   const double level_out_m = direction_of(from.heading_rad).dot(to.p_W - from.p_W);
   const double level_in_m = direction_of(to.heading_rad).dot(to.p_W - from.p_W);
-  std::vector<Turn> found = turns(from, to, radius_m);
+  std::vector<Turn> found = turns(from, to, radius_m, gears);
   std::vector<Turn> between;
   for (const double out_m : run_outs_m(level_out_m, radius_m)) {
     for (const double in_m : run_outs_m(level_in_m, radius_m)) {
       const Pose start = pose_along(from, {out_m, 0.0, F}, out_m);
       const Pose finish = pose_along(to, {in_m, 0.0, B}, in_m);
       between.clear();
-      add_closed_forms(start, finish, radius_m, between);
+      add_closed_forms(start, finish, radius_m, gears, between);
       for (Turn& turn : between) {
         std::vector<Arc>& arcs = turn.arcs;
         if (in_m > 0.0) arcs.push_back({in_m, 0.0, F});

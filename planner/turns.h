@@ -22,8 +22,10 @@ double cost_m(const std::vector<Arc>& arcs);
 
 // Every turn of these families that exists, cheapest first, each ending within 1e-6 m and rad of
 // `to`: arc-line-arc and arc-arc-arc with the gears fff (all Dubins curves), frf, rff and ffr, and
-// the shortest curve of Reeds and Shepp (OMPL). Radius in metres, positive.
-std::vector<Turn> turns(const Pose& from, const Pose& to, double radius_m);
+// the shortest curve of Reeds and Shepp (OMPL); forward only, the Dubins curves alone. Radius in
+// metres, positive.
+std::vector<Turn> turns(const Pose& from, const Pose& to, double radius_m,
+                        Gears gears = Gears::kBoth);
 
 // Length of the shortest curve driven forward (Dubins 1957), by the closed forms above: OMPL's
 // Dubins aborts the program where rounding spoils a word.
@@ -35,6 +37,7 @@ double reeds_shepp_length_m(const Pose& from, const Pose& to, double radius_m);
 
 // Turns with straight run-outs before and after them, cheapest first, those without included. For
 // swath ends that are not level with each other, or boundaries askew to the swaths.
-std::vector<Turn> turns_with_run_outs(const Pose& from, const Pose& to, double radius_m);
+std::vector<Turn> turns_with_run_outs(const Pose& from, const Pose& to, double radius_m,
+                                      Gears gears = Gears::kBoth);
 
 }  // namespace headland

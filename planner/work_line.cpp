@@ -89,6 +89,22 @@ WorkLine work_line(const Pass& pass, double implement_x_B_m) {
   return work;
 }
 
+double run_in_m(const Vehicle& vehicle) {
+  return vehicle.implement.trailing ? 2.0 * std::abs(vehicle.implement.x_B_m) : 0.0;
+}
+
+void add_run_in(WorkLine& line, double length_m) {
+  if (!(length_m > 0.0)) return;
+  const PathPoint begin = line.points.front();
+  const Vector2d edge = line.points[1].p_W - begin.p_W;
+  line.run_in = static_cast<std::size_t>(std::floor(length_m / edge.norm()));
+  std::vector<PathPoint> before;
+  for (std::size_t i = line.run_in; i > 0; --i) {
+    before.push_back({begin.p_W - static_cast<double>(i) * edge, begin.heading_rad, 0.0});
+  }
+  line.points.insert(line.points.begin(), before.begin(), before.end());
+}
+
 PathPoint work_line_begin(const Pass& pass, double implement_x_B_m) {
   return axle_point(pass, arc_length_line(pass.points_W), -implement_x_B_m);
 }

@@ -6,6 +6,7 @@
 
 #include "planner/path.h"
 #include "planner/plan.h"
+#include "vehicle_models/vehicle.h"
 
 namespace headland {
 
@@ -14,6 +15,7 @@ namespace headland {
 struct WorkLine {
   PathKind kind = PathKind::kSwath;
   std::vector<PathPoint> points;
+  std::size_t run_in = 0;  // edges at its begin that are driven with the implement up
 };
 
 // The pass's line moved on by -implement_x_B_m along itself: an implement behind B's origin
@@ -22,6 +24,14 @@ struct WorkLine {
 // of rings made of chords; on a radius R that moves the line inwards by kSmoothing_m^2 / (12 R).
 // The pass has two points or more, none repeated.
 WorkLine work_line(const Pass& pass, double implement_x_B_m);
+
+// How far [m] before a swath's begin the vehicle must be on its line: a trailed implement comes in
+// at an angle that fades by 1 / e on every drawbar length. As far before as the end is driven past,
+// so that the turns between swaths lie level: the implement is 2 |x_B| long on the line by then.
+double run_in_m(const Vehicle& vehicle);
+
+// Lets a straight line begin that much earlier, or up to a point's spacing less.
+void add_run_in(WorkLine& line, double length_m);
 
 // Its first point alone.
 PathPoint work_line_begin(const Pass& pass, double implement_x_B_m);

@@ -132,48 +132,99 @@ void append_wheels(Mesh& mesh, const Vehicle& vehicle, const RunSample& sample) 
   }
 }
 
-// Two cross bars with tools below, carried by two beams from the body.
-void append_implement(Mesh& mesh, const Vehicle& vehicle, bool down) {
-  const Implement& implement = vehicle.implement;
-  if (!(implement.working_width_m > 0.0)) return;
-  constexpr double kLift_m = 0.45;
-  constexpr double kBarHeight_m = 0.5;
-  constexpr double kBetweenBars_m = 0.55;
+constexpr double kRaised_m = 0.45;
+constexpr double kBarHeight_m = 0.5;
+constexpr double kBetweenBars_m = 0.55;
+
+// Two cross bars with tools below; ties between the bars at their ends and `tie_y_m` from the
+// middle.
+Mesh bars_mesh(const Implement& implement, double tie_y_m) {
   constexpr double kHalfBar_m = 0.05;
   constexpr double kToolSpacing_m = 0.4;
-  const Eigen::Isometry3d X = moved({0.0, 0.0, down ? 0.0 : kLift_m});
+  constexpr double kTie_m = 0.04;
+  Mesh mesh;
   const double half_m = 0.5 * implement.working_width_m;
   const double x = implement.x_B_m;
   const double outwards = x <= 0.0 ? -1.0 : 1.0;
   const int tools = std::max(2, static_cast<int>(implement.working_width_m / kToolSpacing_m));
+  const Eigen::Isometry3d here = Eigen::Isometry3d::Identity();
   for (int bar = 0; bar < 2; ++bar) {
     const double at = x - outwards * kBetweenBars_m * (bar - 0.5);
     append(mesh,
            box_mesh({at - kHalfBar_m, -half_m, kBarHeight_m - kHalfBar_m},
                     {at + kHalfBar_m, half_m, kBarHeight_m + kHalfBar_m}, kFrame),
-           X);
+           here);
     for (int i = bar; i < tools; i += 2) {
       const double y = half_m * (2.0 * (i + 0.5) / tools - 1.0);
-      append(mesh, bar_mesh({at, y, kBarHeight_m}, {at - 0.12, y, -0.02}, 0.025, kTool), X);
+      append(mesh, bar_mesh({at, y, kBarHeight_m}, {at - 0.12, y, -0.02}, 0.025, kTool), here);
     }
   }
-  const double hitch = x <= 0.0 ? 0.5 * (vehicle.rear.x_B_m - vehicle.body.rear_overhang_m)
-                                : vehicle.body.length_m - vehicle.body.rear_overhang_m;
-  const double beam_half_m = std::min(0.35, 0.3 * vehicle.body.width_m);
-  for (const double y : {-beam_half_m, beam_half_m}) {
-    const double rise = down ? 0.0 : kLift_m;
-    append(mesh,
-           bar_mesh({hitch, y, kBarHeight_m + 0.15},
-                    {x + outwards * 0.5 * kBetweenBars_m, y, kBarHeight_m + rise}, 0.045, kFrame),
-           Eigen::Isometry3d::Identity());
-  }
-  constexpr double kTie_m = 0.04;
   const double end_m = half_m - kTie_m;
-  for (const double y : {-end_m, end_m, -beam_half_m, beam_half_m}) {
+  for (const double y : {-end_m, end_m, -tie_y_m, tie_y_m}) {
     append(mesh,
            bar_mesh({x - 0.5 * kBetweenBars_m, y, kBarHeight_m},
                     {x + 0.5 * kBetweenBars_m, y, kBarHeight_m}, kTie_m, kFrame),
-           X);
+           here);
+  }
+  return mesh;
+}
+
+// Carried by two beams from the body.
+void append_mounted(Mesh& mesh, const Vehicle& vehicle, bool down) {
+  const double rise_m = down ? 0.0 : kRaised_m;
+  const double x = vehicle.implement.x_B_m;
+  const double outwards = x <= 0.0 ? -1.0 : 1.0;
+  const double beam_half_m = std::min(0.35, 0.3 * vehicle.body.width_m);
+  append(mesh, bars_mesh(vehicle.implement, beam_half_m), moved({0.0, 0.0, rise_m}));
+  const double hitch = x <= 0.0 ? 0.5 * (vehicle.rear.x_B_m - vehicle.body.rear_overhang_m)
+                                : vehicle.body.length_m - vehicle.body.rear_overhang_m;
+  for (const double y : {-beam_half_m, beam_half_m}) {
+    append(mesh,
+           bar_mesh({hitch, y, kBarHeight_m + 0.15},
+                    {x + outwards * 0.5 * kBetweenBars_m, y, kBarHeight_m + rise_m}, 0.045, kFrame),
+           Eigen::Isometry3d::Identity());
+  }
+}
+
+// On its own wheels, turned about the pin: drawn straight behind the vehicle, then turned.
+void append_trailed(Mesh& mesh, const Vehicle& vehicle, const RunSample& sample) {
+  const Implement& implement = vehicle.implement;
+  const Trailing& trailing = *implement.trailing;
+  const double axle_x_m = trailing.hitch_x_B_m - trailing.drawbar_length_m;
+  const double half_track_m = 0.5 * trailing.track_m;
+  const double rise_m = sample.implement_down ? 0.0 : kRaised_m;
+  const Point pin(trailing.hitch_x_B_m, 0.0, trailing.hitch_height_m);
+  const Point beam_end(axle_x_m, 0.0, std::max(kBarHeight_m + rise_m, trailing.wheel_radius_m));
+  Mesh trailed;
+  append(trailed, bars_mesh(implement, half_track_m), moved({0.0, 0.0, rise_m}));
+  const Eigen::Isometry3d here = Eigen::Isometry3d::Identity();
+  for (const double y : {-half_track_m, half_track_m}) {
+    append(trailed, bar_mesh(pin, beam_end + Point(0.0, y, 0.0), 0.05, kFrame), here);
+  }
+  append(trailed,
+         bar_mesh({axle_x_m, -half_track_m, trailing.wheel_radius_m},
+                  {axle_x_m, half_track_m, trailing.wheel_radius_m}, 0.05, kFrame),
+         here);
+  append(trailed, bar_mesh(beam_end, {implement.x_B_m, 0.0, kBarHeight_m + rise_m}, 0.06, kFrame),
+         here);
+  Axle axle;
+  axle.radius_m = trailing.wheel_radius_m;
+  axle.width_m = trailing.wheel_width_m;
+  for (const double y : {-half_track_m, half_track_m}) {
+    append(trailed, wheel_mesh(axle),
+           moved({axle_x_m, y, axle.radius_m}) *
+               Eigen::AngleAxisd(sample.travel_m / axle.radius_m, Point::UnitY()));
+  }
+  append(mesh, trailed,
+         moved(pin) * Eigen::AngleAxisd(sample.hitch_angle_rad, Point::UnitZ()) * moved(-pin));
+}
+
+void append_implement(Mesh& mesh, const Vehicle& vehicle, const RunSample& sample) {
+  if (!(vehicle.implement.working_width_m > 0.0)) return;
+  if (vehicle.implement.trailing) {
+    append_trailed(mesh, vehicle, sample);
+  } else {
+    append_mounted(mesh, vehicle, sample.implement_down);
   }
 }
 
@@ -204,7 +255,7 @@ std::vector<std::string> vehicle_notes(const Vehicle& vehicle) {
 VehicleMesh vehicle_mesh(const Vehicle& vehicle, const RunSample& sample) {
   VehicleMesh out = body_mesh(vehicle);
   append_wheels(out.mesh, vehicle, sample);
-  append_implement(out.mesh, vehicle, sample.implement_down);
+  append_implement(out.mesh, vehicle, sample);
   return out;
 }
 

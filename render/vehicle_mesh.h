@@ -24,7 +24,8 @@ VehicleMesh body_mesh(const Vehicle& vehicle);
 // The vehicle's notes, and why its body is a plain box unless they say so already.
 std::vector<std::string> vehicle_notes(const Vehicle& vehicle);
 
-// The body, wheels turned and steered, implement lowered or raised as in the sample.
+// The body, wheels turned and steered, implement lowered or raised as in the sample, a trailed one
+// at its hitch angle in the vehicle's own plane.
 VehicleMesh vehicle_mesh(const Vehicle& vehicle, const RunSample& sample);
 
 // Place and attitude of B in D. The attitude follows the stretched relief.

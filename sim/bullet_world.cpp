@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/trailer.h"
+
 namespace headland {
 namespace {
 
@@ -14,6 +16,26 @@ enum CollisionGroup : int { kTerrain = 1, kHull = 2, kObstacle = 4 };
 
 btVector3 to_bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 Eigen::Vector3d from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+
+void set_motion(btRigidBody& body, const ChassisState& state) {
+  const Eigen::Matrix3d& R = state.R_WB;
+  const btMatrix3x3 basis(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1),
+                          R(2, 2));
+  body.setWorldTransform(btTransform(basis, to_bullet(state.p_WC)));
+  body.setLinearVelocity(to_bullet(state.v_W));
+  body.setAngularVelocity(to_bullet(state.omega_W));
+  body.updateInertiaTensor();
+}
+
+ChassisState motion_of(const btRigidBody& body) {
+  ChassisState state;
+  state.p_WC = from_bullet(body.getWorldTransform().getOrigin());
+  const btMatrix3x3& basis = body.getWorldTransform().getBasis();
+  for (int i = 0; i < 3; ++i) state.R_WB.row(i) = from_bullet(basis[i]).transpose();
+  state.v_W = from_bullet(body.getLinearVelocity());
+  state.omega_W = from_bullet(body.getAngularVelocity());
+  return state;
+}
 
 }  // namespace
 
@@ -30,9 +52,13 @@ struct BulletWorld::Parts {
   std::vector<std::unique_ptr<btCollisionObject>> obstacles;
   btCompoundShape hull_shape;
   std::unique_ptr<btRigidBody> chassis;
+  btCompoundShape trailer_shape;
+  std::unique_ptr<btRigidBody> trailer;  // null without a trailed implement
 
   btVector3 force{0, 0, 0};
   btVector3 torque{0, 0, 0};
+  btVector3 trailer_force{0, 0, 0};
+  btVector3 trailer_torque{0, 0, 0};
 
   // Bullet clears forces after each step, and clears those of an action before they count when
   // there is a single sub-step; the pre-tick callback is the place where they do count.
@@ -40,6 +66,9 @@ struct BulletWorld::Parts {
     auto* parts = static_cast<Parts*>(world->getWorldUserInfo());
     parts->chassis->applyCentralForce(parts->force);
     parts->chassis->applyTorque(parts->torque);
+    if (parts->trailer == nullptr) return;
+    parts->trailer->applyCentralForce(parts->trailer_force);
+    parts->trailer->applyTorque(parts->trailer_torque);
   }
 
   void add_terrain(const Heightfield& heights) {
@@ -109,35 +138,63 @@ struct BulletWorld::Parts {
     }
   }
 
-  void add_box(const Eigen::Vector3d& low_B, const Eigen::Vector3d& high_B,
-               const Eigen::Vector3d& com_B) {
-    shapes.push_back(std::make_unique<btBoxShape>(to_bullet(0.5 * (high_B - low_B))));
+  // A box of `compound`, between corners in the body's frame whose origin is `com` before its
+  // centre of mass.
+  void add_box(btCompoundShape& compound, const Eigen::Vector3d& low, const Eigen::Vector3d& high,
+               const Eigen::Vector3d& com) {
+    shapes.push_back(std::make_unique<btBoxShape>(to_bullet(0.5 * (high - low))));
     btTransform pose = btTransform::getIdentity();
-    pose.setOrigin(to_bullet(0.5 * (low_B + high_B) - com_B));
-    hull_shape.addChildShape(pose, shapes.back().get());
+    pose.setOrigin(to_bullet(0.5 * (low + high) - com));
+    compound.addChildShape(pose, shapes.back().get());
+  }
+
+  void add_bar(btCompoundShape& compound, const Implement& implement, double x_m,
+               const Eigen::Vector3d& com) {
+    if (!(implement.working_width_m > 0.0)) return;
+    constexpr double kHalfDepth_m = 0.25;
+    const double z_m = implement.com_height_m;
+    const double half_m = 0.5 * implement.working_width_m;
+    add_box(compound, {x_m - kHalfDepth_m, -half_m, z_m - kHalfDepth_m},
+            {x_m + kHalfDepth_m, half_m, z_m + kHalfDepth_m}, com);
+  }
+
+  std::unique_ptr<btRigidBody> add_body(btCompoundShape& shape, const ChassisMass& mass) {
+    btRigidBody::btRigidBodyConstructionInfo info(mass.mass_kg, nullptr, &shape,
+                                                  to_bullet(mass.inertia_kg_m2));
+    info.m_linearDamping = 0.0;
+    info.m_angularDamping = 0.0;
+    auto body = std::make_unique<btRigidBody>(info);
+    body->setActivationState(DISABLE_DEACTIVATION);
+    world.addRigidBody(body.get(), kHull, kObstacle);
+    return body;
   }
 
   void add_vehicle(const Vehicle& vehicle) {
     const ChassisMass mass = chassis_mass(vehicle);
     const Body& body = vehicle.body;
     const double half_width_m = 0.5 * body.width_m;
-    add_box({-body.rear_overhang_m, -half_width_m, body.ground_clearance_m},
+    add_box(hull_shape, {-body.rear_overhang_m, -half_width_m, body.ground_clearance_m},
             {body.length_m - body.rear_overhang_m, half_width_m, body.height_m}, mass.com_B);
-    if (vehicle.implement.working_width_m > 0.0) {
-      constexpr double kHalfDepth_m = 0.25;
-      const double x_m = vehicle.implement.x_B_m;
-      const double z_m = vehicle.implement.com_height_m;
-      const double half_m = 0.5 * vehicle.implement.working_width_m;
-      add_box({x_m - kHalfDepth_m, -half_m, z_m - kHalfDepth_m},
-              {x_m + kHalfDepth_m, half_m, z_m + kHalfDepth_m}, mass.com_B);
+    if (!vehicle.implement.trailing) {
+      add_bar(hull_shape, vehicle.implement, vehicle.implement.x_B_m, mass.com_B);
     }
-    btRigidBody::btRigidBodyConstructionInfo info(mass.mass_kg, nullptr, &hull_shape,
-                                                  to_bullet(mass.inertia_kg_m2));
-    info.m_linearDamping = 0.0;
-    info.m_angularDamping = 0.0;
-    chassis = std::make_unique<btRigidBody>(info);
-    chassis->setActivationState(DISABLE_DEACTIVATION);
-    world.addRigidBody(chassis.get(), kHull, kObstacle);
+    chassis = add_body(hull_shape, mass);
+    if (const auto trailed = make_trailer(vehicle, mass)) add_trailer(vehicle.implement, *trailed);
+  }
+
+  void add_trailer(const Implement& implement, const Trailer& trailed) {
+    constexpr double kHalfBeam_m = 0.1;
+    const Trailing& trailing = *implement.trailing;
+    const double wheels_m = 0.5 * (trailing.track_m + trailing.wheel_width_m);
+    const double radius_m = trailing.wheel_radius_m;
+    const double beam_m = trailing.hitch_height_m;
+    const Eigen::Vector3d& com = trailed.mass.com_B;
+    add_bar(trailer_shape, implement, (trailed.tool_C + com).x(), com);
+    add_box(trailer_shape, {0.0, -kHalfBeam_m, beam_m - kHalfBeam_m},
+            {trailing.drawbar_length_m, kHalfBeam_m, beam_m + kHalfBeam_m}, com);
+    add_box(trailer_shape, {-radius_m, -wheels_m, radius_m}, {radius_m, wheels_m, 2.0 * radius_m},
+            com);
+    trailer = add_body(trailer_shape, trailed.mass);
   }
 };
 
@@ -156,38 +213,29 @@ BulletWorld::BulletWorld(const Field& field, const Heightfield& terrain, const V
 
 BulletWorld::~BulletWorld() {
   parts_->world.removeRigidBody(parts_->chassis.get());
+  if (parts_->trailer != nullptr) parts_->world.removeRigidBody(parts_->trailer.get());
   for (const auto& obstacle : parts_->obstacles) {
     parts_->world.removeCollisionObject(obstacle.get());
   }
   parts_->world.removeCollisionObject(parts_->terrain.get());
 }
 
-void BulletWorld::set_state(const ChassisState& state) {
-  const Eigen::Matrix3d& R = state.R_WB;
-  const btMatrix3x3 basis(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1),
-                          R(2, 2));
-  btRigidBody& chassis = *parts_->chassis;
-  chassis.setWorldTransform(btTransform(basis, to_bullet(state.p_WC)));
-  chassis.setLinearVelocity(to_bullet(state.v_W));
-  chassis.setAngularVelocity(to_bullet(state.omega_W));
-  chassis.updateInertiaTensor();
+void BulletWorld::set_state(const ChassisState& state) { set_motion(*parts_->chassis, state); }
+
+ChassisState BulletWorld::state() const { return motion_of(*parts_->chassis); }
+
+void BulletWorld::set_trailer_state(const ChassisState& state) {
+  set_motion(*parts_->trailer, state);
 }
 
-ChassisState BulletWorld::state() const {
-  const btRigidBody& chassis = *parts_->chassis;
-  ChassisState state;
-  state.p_WC = from_bullet(chassis.getWorldTransform().getOrigin());
-  const btMatrix3x3& basis = chassis.getWorldTransform().getBasis();
-  for (int i = 0; i < 3; ++i) state.R_WB.row(i) = from_bullet(basis[i]).transpose();
-  state.v_W = from_bullet(chassis.getLinearVelocity());
-  state.omega_W = from_bullet(chassis.getAngularVelocity());
-  return state;
-}
+ChassisState BulletWorld::trailer_state() const { return motion_of(*parts_->trailer); }
 
-void BulletWorld::step(const Eigen::Vector3d& force_W, const Eigen::Vector3d& torque_W,
-                       double dt_s) {
+void BulletWorld::step(const Eigen::Vector3d& force_W, const Eigen::Vector3d& torque_W, double dt_s,
+                       const Load& trailer) {
   parts_->force = to_bullet(force_W);
   parts_->torque = to_bullet(torque_W);
+  parts_->trailer_force = to_bullet(trailer.force_W);
+  parts_->trailer_torque = to_bullet(trailer.torque_W);
   parts_->world.stepSimulation(dt_s, 0);
 }
 

@@ -12,11 +12,11 @@
 
 namespace headland {
 
-// One rigid body (the vehicle with its implement) over the terrain, among the field's obstacles.
-// Gravity acts; everything else comes in through step(). The hull collides with obstacles but not
-// with the terrain: the wheels carry it (a box resting on a heightfield costs 70
-// times a free body's step). `terrain` is not copied and must outlive the world.
-// One world per thread.
+// One rigid body (the vehicle with a mounted implement), and a second one for a trailed implement,
+// over the terrain, among the field's obstacles. Gravity acts; everything else comes in through
+// step(). Hull and implement collide with obstacles but not with the terrain, where wheels carry
+// them (a box resting on a heightfield costs 70 times a free body's step), nor with each other.
+// `terrain` is not copied and must outlive the world. One world per thread.
 class BulletWorld {
  public:
   BulletWorld(const Field& field, const Heightfield& terrain, const Vehicle& vehicle);
@@ -27,9 +27,14 @@ class BulletWorld {
   void set_state(const ChassisState& state);
   ChassisState state() const;
 
+  // Of the trailed implement, where there is one.
+  void set_trailer_state(const ChassisState& state);
+  ChassisState trailer_state() const;
+
   // One fixed step with a force through the centre of mass and a torque, both in W, besides
-  // gravity.
-  void step(const Eigen::Vector3d& force_W, const Eigen::Vector3d& torque_W, double dt_s);
+  // gravity; `trailer` is what acts on a trailed implement.
+  void step(const Eigen::Vector3d& force_W, const Eigen::Vector3d& torque_W, double dt_s,
+            const Load& trailer = {});
 
   // Index of the obstacle that the hull or the implement touched in the last step.
   std::optional<std::size_t> touched_obstacle() const;

@@ -1,4 +1,4 @@
-// The rigid body that a vehicle with its implement makes, and its motion.
+// Rigid bodies: what a vehicle with a mounted implement makes, its motion, the forces on it.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,9 +8,9 @@
 
 namespace headland {
 
-// Mass, centre of mass and principal inertia of body and implement together. The implement is a
-// bar of its working width at its com_height_m. Products of inertia are
-// neglected: machines are close to symmetric about the x-z plane.
+// Mass, centre of mass and principal inertia of body and mounted implement together. The implement
+// is a bar of its working width at its com_height_m; a trailed one is a body of its own. Products
+// of inertia are neglected: machines are close to symmetric about the x-z plane.
 struct ChassisMass {
   double mass_kg = 0.0;
   Eigen::Vector3d com_B = Eigen::Vector3d::Zero();
@@ -32,6 +32,26 @@ inline Eigen::Vector3d point_velocity(const Eigen::Vector3d& v_W, const Eigen::V
                                       const Eigen::Vector3d& r_W) {
   return v_W + omega_W.cross(r_W);
 }
+
+// Forces on a body through offsets from its centre of mass, in W.
+struct Load {
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();
+
+  void add(const Eigen::Vector3d& force, const Eigen::Vector3d& arm) {
+    force_W += force;
+    torque_W += arm.cross(force);
+  }
+};
+
+// The velocities after a step with gravity and this load, by the Euler step that Bullet makes but
+// for its gyroscopic torque.
+struct Velocities {
+  Eigen::Vector3d v_W;
+  Eigen::Vector3d omega_W;
+};
+Velocities velocities_after(const ChassisState& chassis, const ChassisMass& mass, const Load& load,
+                            double dt_s);
 
 // Yaw, pitch (nose up positive) and roll (right side down positive) of an attitude.
 Eigen::Vector3d yaw_pitch_roll(const Eigen::Matrix3d& R_WB);

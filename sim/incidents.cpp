@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace headland {
 namespace {
+
+constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
 
 std::string at_place(const Eigen::Vector3d& p_WB, double time_s) {
   return fmt::format("at x {:.1f} m, y {:.1f} m after {:.0f} s", p_WB.x(), p_WB.y(), time_s);
@@ -51,6 +54,16 @@ std::optional<Incident> find_incident(const SimulationSetup& setup, const Machin
   if (chassis.R_WB(2, 2) < std::cos(kRolledOver_rad)) {
     return incident(Outcome::kRolledOver, "rolled over");
   }
+  if (const auto& trailing = setup.vehicle.implement.trailing) {
+    if (report.trailer.R_WB(2, 2) < std::cos(kRolledOver_rad)) {
+      return incident(Outcome::kRolledOver, "the trailed implement rolled over");
+    }
+    if (std::abs(report.hitch_angle_rad) > trailing->max_angle_rad) {
+      return incident(Outcome::kJackknifed,
+                      fmt::format("the drawbar touched the vehicle: {:.0f} deg from straight",
+                                  kDegreesPerRad * std::abs(report.hitch_angle_rad)));
+    }
+  }
   if (const auto touched = world.touched_obstacle()) {
     const Obstacle& obstacle = setup.field.obstacles[*touched];
     const Eigen::Vector2d hit_W = nearest_of(obstacle, p_WB.head<2>());
@@ -58,7 +71,8 @@ std::optional<Incident> find_incident(const SimulationSetup& setup, const Machin
                     fmt::format("hit the {} at x {:.1f} m, y {:.1f} m",
                                 obstacle_kind_name(obstacle.kind), hit_W.x(), hit_W.y()));
   }
-  if (std::any_of(report.contacts.begin(), report.contacts.end(),
+  if (!report.trailer_on_terrain ||
+      std::any_of(report.contacts.begin(), report.contacts.end(),
                   [](const WheelContact& contact) { return !contact.on_terrain; })) {
     return incident(Outcome::kLeftTerrain, "a wheel ran off the edge of the terrain");
   }

@@ -16,24 +16,40 @@ namespace headland {
 struct StoredEnergy {
   double grade_j = 0.0;    // potential energy of the whole machine
   double kinetic_j = 0.0;  // body and wheel spin
-  double spring_j = 0.0;   // vertical springs of the tyres and of the ground under the belly
+  double spring_j = 0.0;   // tyres, ground under the belly, pin of a trailed implement
 };
 
+// Of one body with its wheels.
 StoredEnergy stored_energy(const ChassisMass& mass, const ChassisState& chassis,
-                           const PerWheel<WheelDefinition>& wheels,
-                           const PerWheel<WheelState>& states,
-                           const PerWheel<WheelContact>& contacts, double belly_spring_j = 0.0);
+                           std::span<const WheelDefinition> wheels,
+                           std::span<const WheelState> states,
+                           std::span<const WheelContact> contacts, double belly_spring_j = 0.0);
 
-// Everything that did work in a step, with the velocities before and after it.
-struct StepWork {
+using CauseLosses = std::array<double, kEnergyCauses>;  // W, by EnergyCause
+
+// What the wheels of one body did in a step, with its velocities before and after it.
+struct WheelWork {
   const ChassisState& before;
   const ChassisState& after;
-  const PerWheel<WheelDefinition>& wheels;
-  const PerWheel<WheelContact>& contacts;
-  const PerWheel<WheelTorques>& torques;
-  const PerWheel<double>& spin_before;
-  const PerWheel<WheelState>& states;  // after
+  std::span<const WheelDefinition> wheels;
+  std::span<const WheelContact> contacts;
+  std::span<const double> spin_before;
+  std::span<const WheelState> states;  // after
   const TyreResult& tyres;
+};
+
+// Charges slip, scrub, rolling, brake and tyre damping at the mid-step velocities. Returns the
+// mid-step spins [rad/s] relative to the body.
+PerWheel<double> charge_wheels(const WheelWork& work, CauseLosses& cause_w);
+
+// Power [W] that a force on a body through an offset from its centre of mass takes from it.
+double power_taken_w(const Eigen::Vector3d& force_W, const Eigen::Vector3d& arm,
+                     const ChassisState& before, const ChassisState& after);
+
+// Everything that did work on the vehicle in a step.
+struct StepWork {
+  WheelWork wheels;
+  const PerWheel<WheelTorques>& torques;
   const MotorLayout& layout;
   const PerMotor<double>& motor_nm;
   double gear_ratio = 1.0;
@@ -46,7 +62,7 @@ struct StepWork {
 // (v_n + v_n+1) / 2, at which its work is exactly the change of kinetic energy; and the mid-step
 // motor speeds. Grade, kinetic and stored stay zero here: they come from StoredEnergy.
 struct StepLosses {
-  std::array<double, kEnergyCauses> cause_w{};
+  CauseLosses cause_w{};
   PerMotor<double> motor_speed_rad_per_s{};
   double motor_shaft_w = 0.0;  // all motors
 };

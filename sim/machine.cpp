@@ -6,8 +6,6 @@
 namespace headland {
 namespace {
 
-constexpr double kDraftFullSpeed_mps = 0.1;  // below it draft fades to nothing at standstill
-
 PerMotor<double> motor_speeds_now(const Machine& machine, const PerWheel<WheelContact>& contacts,
                                   const PerWheel<WheelState>& states,
                                   const Eigen::Vector3d& omega_W) {
@@ -37,7 +35,7 @@ PerMotor<double> asked_torque(const Machine& machine, const DriverCommand& comma
 
 // Electrical power [W] of the implement's shaft and of lifting it.
 double implement_power_w(const Implement& implement, const DriverCommand& command) {
-  double power_w = command.working ? implement.shaft_power_w / implement.shaft_efficiency : 0.0;
+  double power_w = command.working ? shaft_power_w(implement) / implement.shaft_efficiency : 0.0;
   if (command.lifting && implement.lift_time_s > 0.0) {
     power_w += implement.lift_energy_j / implement.lift_time_s;
   }
@@ -55,16 +53,20 @@ void charge(EnergyBalance& balance, EnergyCause cause, double energy_j) {
   balance.cause_j[static_cast<std::size_t>(cause)] += energy_j;
 }
 
-// Forces on the chassis through offsets from its centre of mass.
-struct Load {
-  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();
+StoredEnergy sum(const StoredEnergy& a, const StoredEnergy& b) {
+  return {a.grade_j + b.grade_j, a.kinetic_j + b.kinetic_j, a.spring_j + b.spring_j};
+}
 
-  void add(const Eigen::Vector3d& force, const Eigen::Vector3d& arm) {
-    force_W += force;
-    torque_W += arm.cross(force);
+// What the vehicle's step tells of a trailed implement.
+void report_trailer(const TrailerStep& step, StepReport& report) {
+  report.trailer = step.before;
+  report.hitch_angle_rad = hitch_angle_rad(report.chassis, step.before);
+  report.draft_n = step.draft_n;
+  report.stored = sum(report.stored, step.stored);
+  for (std::size_t i = 0; i < kTrailerWheels; ++i) {
+    report.trailer_on_terrain = report.trailer_on_terrain && step.contacts[i].on_terrain;
   }
-};
+}
 
 }  // namespace
 
@@ -76,7 +78,8 @@ Machine make_machine(const Vehicle& vehicle, const Heightfield& terrain, const S
           mass,
           define_wheels(vehicle, mass),
           motor_layout(vehicle),
-          make_belly(vehicle, mass, terrain)};
+          make_belly(vehicle, mass, terrain),
+          make_trailer(vehicle, mass)};
 }
 
 ChassisState place_on_ground(const Machine& machine, const Eigen::Vector2d& p_W,
@@ -107,6 +110,31 @@ ChassisState place_on_ground(const Machine& machine, const Eigen::Vector2d& p_W,
   const double sag_m = machine.wheels[0].free_radius_m - machine.wheels[0].radius_m;
   state.p_WC.z() += sag_m * (1.0 / c - c * c);
   return state;
+}
+
+void stand(const Machine& machine, const Eigen::Vector2d& p_W, double heading_rad,
+           BulletWorld& world) {
+  const ChassisState chassis = place_on_ground(machine, p_W, heading_rad);
+  world.set_state(chassis);
+  if (machine.trailer) {
+    world.set_trailer_state(place_trailer(*machine.trailer, machine.terrain, chassis));
+  }
+}
+
+StoredEnergy energy_now(const Machine& machine, const BulletWorld& world, const MachineState& state,
+                        double steer_rad, double dt_s) {
+  const ChassisState chassis = world.state();
+  const auto contacts = touch_ground(machine.terrain, chassis, machine.wheels,
+                                     curvature_of(machine.vehicle, steer_rad));
+  const auto belly = touch_belly(machine.belly, machine.terrain, chassis).contacts;
+  const StoredEnergy own = stored_energy(machine.mass, chassis, machine.wheels, state.wheels,
+                                         contacts, belly_spring_j(machine.belly, belly));
+  if (!machine.trailer) return own;
+  const Trailer& trailer = *machine.trailer;
+  const ChassisState trailed = world.trailer_state();
+  return sum(own, trailer_energy(trailer, trailed, state.trailer_wheels,
+                                 touch_ground(machine.terrain, trailed, trailer.own_wheels(), 0.0),
+                                 pin_force(trailer, chassis, trailed, dt_s)));
 }
 
 Eigen::Vector3d origin_of(const ChassisState& chassis, const ChassisMass& mass) {
@@ -151,34 +179,48 @@ StepReport step_machine(const Machine& machine, const DriverCommand& command, St
   for (const BellyContact& contact : report.belly) {
     load.add(contact.load_n * contact.normal, contact.arm);
   }
-  const double draft_scale = std::clamp(speed_mps / kDraftFullSpeed_mps, -1.0, 1.0);
-  report.draft_n =
-      vehicle.implement.draft_n_per_m * vehicle.implement.working_width_m * lowered * draft_scale;
-  const Eigen::Vector3d draft_W = -report.draft_n * chassis.R_WB.col(0);
-  const Eigen::Vector3d draft_arm =
-      chassis.R_WB *
-      (Eigen::Vector3d(vehicle.implement.x_B_m, 0.0, vehicle.implement.draft_height_m) -
-       machine.mass.com_B);
-  load.add(draft_W, draft_arm);
+  std::optional<TrailerStep> trailed;
+  Eigen::Vector3d draft_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d draft_arm = Eigen::Vector3d::Zero();
+  if (machine.trailer) {
+    trailed = pull_trailer(*machine.trailer, vehicle.implement, machine.terrain, machine.soil,
+                           chassis, world.trailer_state(), lowered, dt_s, state.trailer_wheels);
+    load.add(trailed->pin.force_W, trailed->pin.vehicle_arm);
+    report_trailer(*trailed, report);
+  } else {
+    draft_arm = chassis.R_WB *
+                (Eigen::Vector3d(vehicle.implement.x_B_m, 0.0, vehicle.implement.draft_height_m) -
+                 machine.mass.com_B);
+    report.draft_n =
+        draft_now_n(vehicle.implement, soil_at(machine.soil, (chassis.p_WC + draft_arm).head<2>()),
+                    speed_mps, lowered);
+    draft_W = -report.draft_n * chassis.R_WB.col(0);
+    load.add(draft_W, draft_arm);
+  }
 
-  const Eigen::Vector3d gravity(0.0, 0.0, -kGravity_mps2);
-  const Eigen::Vector3d v_free =
-      chassis.v_W + dt_s * (gravity + load.force_W / machine.mass.mass_kg);
-  const Eigen::Vector3d torque_B = chassis.R_WB.transpose() * load.torque_W;
-  const Eigen::Vector3d omega_free =
-      chassis.omega_W + dt_s * (chassis.R_WB * torque_B.cwiseQuotient(machine.mass.inertia_kg_m2));
+  const Velocities free = velocities_after(chassis, machine.mass, load, dt_s);
   PerWheel<double> spin_before{};
   for (std::size_t i = 0; i < kWheels; ++i) spin_before[i] = state.wheels[i].spin_rad_per_s;
   const TyreResult tyres =
       solve_tyres(report.contacts, machine.wheels, drivetrain.wheels, machine.soil, machine.mass,
-                  chassis, v_free, omega_free, dt_s, state.wheels, report.belly);
-  world.step(load.force_W + tyres.force_W, load.torque_W + tyres.torque_W, dt_s);
+                  chassis, free.v_W, free.omega_W, dt_s, state.wheels, report.belly);
+  world.step(load.force_W + tyres.force_W, load.torque_W + tyres.torque_W, dt_s,
+             trailed ? trailed->load : Load{});
 
   const ChassisState after = world.state();
-  const StepLosses losses =
-      step_losses({chassis, after, machine.wheels, report.contacts, drivetrain.wheels, spin_before,
-                   state.wheels, tyres, machine.motors, drivetrain.motor_nm,
-                   vehicle.drivetrain.gear_ratio, draft_W, draft_arm, report.belly});
+  StepLosses losses = step_losses(
+      {{chassis, after, machine.wheels, report.contacts, spin_before, state.wheels, tyres},
+       drivetrain.wheels,
+       machine.motors,
+       drivetrain.motor_nm,
+       vehicle.drivetrain.gear_ratio,
+       draft_W,
+       draft_arm,
+       report.belly});
+  if (trailed) {
+    charge_trailer(*machine.trailer, *trailed, world.trailer_state(), state.trailer_wheels, chassis,
+                   after, losses.cause_w);
+  }
   for (std::size_t i = 0; i < kEnergyCauses; ++i) {
     report.energy.cause_j[i] = dt_s * losses.cause_w[i];
   }

@@ -7,6 +7,7 @@
 #include "sim/driver.h"
 #include "sim/drivetrain.h"
 #include "sim/ledger.h"
+#include "sim/trailer.h"
 #include "sim/tyre.h"
 #include "terrains/heightfield.h"
 #include "terrains/soil_map.h"
@@ -23,6 +24,7 @@ struct Machine {
   PerWheel<WheelDefinition> wheels;
   MotorLayout motors;
   Belly belly;
+  std::optional<Trailer> trailer;  // a trailed implement
 };
 
 Machine make_machine(const Vehicle& vehicle, const Heightfield& terrain, const SoilMap& soil);
@@ -32,6 +34,7 @@ struct MachineState {
   PerWheel<WheelState> wheels;
   BatteryState battery;
   double belly_clear_m = 0.0;  // see watch_belly
+  PerWheel<WheelState> trailer_wheels;
 };
 
 // One step seen from outside: the state before it and what happened in it.
@@ -49,11 +52,23 @@ struct StepReport {
   double draft_n = 0.0;
   bool clipped = false;
   EnergyBalance energy;  // of the step, without the stores
+  // Of a trailed implement.
+  ChassisState trailer;  // before
+  double hitch_angle_rad = 0.0;
+  bool trailer_on_terrain = true;
 };
 
 // Attitude and height that fit the terrain under the wheels at a place and heading, at rest.
 ChassisState place_on_ground(const Machine& machine, const Eigen::Vector2d& p_W,
                              double heading_rad);
+
+// The machine in the world, standing on the ground there, with a trailed implement straight behind.
+void stand(const Machine& machine, const Eigen::Vector2d& p_W, double heading_rad,
+           BulletWorld& world);
+
+// Energy in the stores of the machine as it is in the world, steered by `steer_rad`.
+StoredEnergy energy_now(const Machine& machine, const BulletWorld& world, const MachineState& state,
+                        double steer_rad, double dt_s);
 
 // Position of B's origin in W.
 Eigen::Vector3d origin_of(const ChassisState& chassis, const ChassisMass& mass);

@@ -58,33 +58,49 @@ void record_belly(Recorder& recorder, const StepReport& report, double time_s) {
   }
 }
 
-void check_hull(Recorder& recorder, const Place& place, double time_s) {
+// Where the implement's working line is.
+struct WorkingLine {
+  Eigen::Vector2d left_W;
+  Eigen::Vector2d right_W;
+};
+
+WorkingLine working_line(const Machine& machine, const StepReport& report, const Place& place) {
+  const Implement& implement = machine.vehicle.implement;
+  const double reach_m = 0.5 * implement.working_width_m;
+  if (!machine.trailer) {
+    return {place.at(implement.x_B_m, reach_m), place.at(implement.x_B_m, -reach_m)};
+  }
+  const ChassisMass& mass = machine.trailer->mass;
+  const Place axle = place_of(report.trailer, mass);
+  const double x_m = (machine.trailer->tool_C + mass.com_B).x();
+  return {axle.at(x_m, reach_m), axle.at(x_m, -reach_m)};
+}
+
+void check_hull(Recorder& recorder, const StepReport& report, const Place& place, double time_s) {
   Peaks& peaks = recorder.record.peaks;
   const Overrun over = overrun(recorder.space, {place.p_WB.head<2>(), place.yaw_pitch_roll.x()});
   // Obstacles are Bullet's: touching one ends the run.
   if (over.limit == Limit::kBoundary || over.limit == Limit::kHole) {
     raise_peak(peaks.boundary_overrun_m, over.depth_m, time_s, over.p_W);
   }
-  const Implement& implement = recorder.machine.vehicle.implement;
-  const double reach_m = 0.5 * implement.working_width_m;
-  for (const double y_m : {-reach_m, reach_m}) {
-    const Eigen::Vector2d end = place.at(implement.x_B_m, y_m);
+  const WorkingLine line = working_line(recorder.machine, report, place);
+  for (const Eigen::Vector2d& end : {line.left_W, line.right_W}) {
     if (disc_fits(recorder.space, end, 0.0)) continue;
     raise_peak(peaks.implement_overhang_m, std::max(0.0, -field_clearance_m(recorder.field, end)),
                time_s, end);
   }
 }
 
-void leave_footprint(Recorder& recorder, const Place& place, bool working, double time_s) {
+void leave_footprint(Recorder& recorder, const StepReport& report, const Place& place, bool working,
+                     double time_s) {
   // A strip ends with a footprint where the implement leaves the ground, so that its last piece
   // is not lost to the spacing.
   const bool due = recorder.travel_m - recorder.last_footprint_m >= recorder.footprint_spacing_m;
   if (working ? (recorder.strip_open && !due) : !recorder.strip_open) return;
-  const Implement& implement = recorder.machine.vehicle.implement;
-  const double reach_m = 0.5 * implement.working_width_m;
+  const WorkingLine line = working_line(recorder.machine, report, place);
   FootprintSample footprint;
-  footprint.left_W = place.at(implement.x_B_m, reach_m);
-  footprint.right_W = place.at(implement.x_B_m, -reach_m);
+  footprint.left_W = line.left_W;
+  footprint.right_W = line.right_W;
   footprint.time_s = time_s;
   footprint.travel_m = recorder.travel_m;
   footprint.starts_strip = !recorder.strip_open;
@@ -113,6 +129,7 @@ RunSample make_sample(const Recorder& recorder, const StepReport& report, const 
   sample.battery_voltage_v = report.battery_v;
   sample.soc = state.battery.soc;
   sample.draft_n = report.draft_n;
+  sample.hitch_angle_rad = report.hitch_angle_rad;
   sample.segment = command.segment;
   sample.implement_down = command.working;
   for (std::size_t i = 0; i < kWheels; ++i) {
@@ -209,10 +226,10 @@ void record_step(Recorder& recorder, const StepReport& report, const MachineStat
   raise_peaks(recorder, report, command, place, time_s);
   record_belly(recorder, report, time_s);
   if (recorder.travel_m >= recorder.next_hull_check_m) {
-    check_hull(recorder, place, time_s);
+    check_hull(recorder, report, place, time_s);
     recorder.next_hull_check_m = recorder.travel_m + kHullCheckSpacing_m;
   }
-  leave_footprint(recorder, place, command.working, time_s);
+  leave_footprint(recorder, report, place, command.working, time_s);
   if (recorder.step % recorder.sample_every == 0) {
     record.samples.push_back(make_sample(recorder, report, state, driver, command, place));
   }

@@ -1,5 +1,7 @@
 #include "sim/route.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -146,6 +148,10 @@ Route make_route(const Path& path, const Vehicle& vehicle) {
   Route route;
   for (std::size_t s = 0; s < path.segments.size(); ++s) {
     const PathSegment& segment = path.segments[s];
+    if (vehicle.implement.trailing && segment.gear == Gear::kReverse) {
+      throw InputError("path", fmt::format("segment {}", s), "reverse",
+                       "a trailed implement folds up in reverse; plan the path with this vehicle");
+    }
     route.works.push_back(segment.implement_down);
     append(route, segment, static_cast<int>(s), kind_speed_mps(vehicle.driver, segment),
            vehicle.steering.kind == SteeringKind::kSkid);

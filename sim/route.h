@@ -50,7 +50,7 @@ inline constexpr double kCreep_mps = 0.08;
 
 // Speed limits: the driver's speed for the kind and gear, lateral acceleration in curves, the
 // steering rate where curvature changes, and the braking distance to what comes. Throws InputError
-// for a path without any motion.
+// for a path without any motion, and for reverse gear with a trailed implement.
 Route make_route(const Path& path, const Vehicle& vehicle);
 
 // A place on a route: past the point `index`, on the edge that leaves it.

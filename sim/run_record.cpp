@@ -10,6 +10,8 @@ std::string_view outcome_name(Outcome outcome) {
       return "stuck";
     case Outcome::kRolledOver:
       return "rolled over";
+    case Outcome::kJackknifed:
+      return "jackknifed";
     case Outcome::kLeftField:
       return "left the field";
     case Outcome::kLeftTerrain:

@@ -15,6 +15,7 @@ enum class Outcome {
   kFinished,
   kStuck,
   kRolledOver,
+  kJackknifed,
   kLeftField,
   kLeftTerrain,
   kHitObstacle,
@@ -37,7 +38,7 @@ enum class EnergyCause {
   kRolling,     // rolling resistance of the tyres
   kSlip,        // longitudinal slip
   kScrub,       // lateral slip, steering scrub
-  kSuspension,  // tyre damping
+  kSuspension,  // tyre damping, and that of a trailed implement's pin
   kBelly,       // the hull's underside on the ground: friction and damping
   kDraft,       // implement draft
   kImplement,   // shaft power and lifting
@@ -75,7 +76,8 @@ struct RunSample {
   double battery_voltage_v = 0.0;
   double soc = 0.0;
   double draft_n = 0.0;
-  int segment = 0;  // index into the path's segments
+  double hitch_angle_rad = 0.0;  // yaw of a trailed implement less the vehicle's
+  int segment = 0;               // index into the path's segments
   bool implement_down = false;
   std::array<double, 4> wheel_load_n{};     // rear left, rear right, front left, front right
   std::array<double, 4> wheel_angle_rad{};  // spin

@@ -40,6 +40,7 @@ void settle(const Machine& machine, double dt_s, BulletWorld& world, MachineStat
     step_machine(machine, standing, {}, 0.0, dt_s, world, resting);
   }
   state.wheels = resting.wheels;
+  state.trailer_wheels = resting.trailer_wheels;
 }
 
 }  // namespace
@@ -55,7 +56,7 @@ RunRecord simulate(const SimulationSetup& setup) {
 
   BulletWorld world(setup.field, setup.terrain, setup.vehicle);
   const RoutePoint& start = route.points.front();
-  world.set_state(place_on_ground(machine, start.p_W, start.heading_rad));
+  stand(machine, start.p_W, start.heading_rad, world);
   MachineState state;
   state.battery.soc = options.soc_start;
   settle(machine, dt_s, world, state);
@@ -78,7 +79,7 @@ RunRecord simulate(const SimulationSetup& setup) {
     view.p_W = receive(receiver, p_W);
     view.age_s = options.positioning.latency_s;
     const double steer_before_rad = driver.steer_rad;
-    command = drive(route, setup.vehicle, view, machine.mass.mass_kg, dt_s, driver);
+    command = drive(route, setup.vehicle, view, total_mass_kg(setup.vehicle), dt_s, driver);
     const Steer steer{driver.steer_rad, (driver.steer_rad - steer_before_rad) / dt_s};
     report = step_machine(machine, command, steer, driver.lowered, dt_s, world, state);
     record_step(recorder, report, state, driver, command, cross_track_m(route, place, p_W));
@@ -97,14 +98,8 @@ RunRecord simulate(const SimulationSetup& setup) {
     }
   }
 
-  const ChassisState chassis = world.state();
-  const auto contacts = touch_ground(setup.terrain, chassis, machine.wheels,
-                                     curvature_of(setup.vehicle, driver.steer_rad));
-  const auto belly = touch_belly(machine.belly, setup.terrain, chassis).contacts;
-  finish_record(recorder, report,
-                stored_energy(machine.mass, chassis, machine.wheels, state.wheels, contacts,
-                              belly_spring_j(machine.belly, belly)),
-                state, driver, command);
+  finish_record(recorder, report, energy_now(machine, world, state, driver.steer_rad, dt_s), state,
+                driver, command);
   return std::move(recorder.record);
 }
 

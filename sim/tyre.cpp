@@ -117,6 +117,22 @@ void solve_soil(WheelRows& rows, Motion& motion) {
   rows.soil_impulse = impulse;
 }
 
+// The last step's forces: close to this one's, they save sweeps.
+void start_from(const WheelState& state, double dt_s, WheelRows& row, Motion& motion) {
+  row.x.apply(motion, dt_s * state.along_n);
+  row.y.apply(motion, dt_s * state.across_n);
+  row.soil_impulse = std::clamp(dt_s * state.soil_n, -row.soil_limit, row.soil_limit);
+  motion.add_impulse(row.soil_impulse * row.x.direction, row.soil_impulse * row.x.angular);
+  row.coulomb_impulse = dt_s * state.coulomb_nm;
+  motion.omega_W += row.coulomb_impulse * row.brake_share * row.brake_angular;
+}
+
+// A tyre that is given one figure for rolling has it on any soil.
+void roll_by(double rolling_resistance, Traction& traction) {
+  traction.tyre_resistance = rolling_resistance;
+  traction.soil_resistance = traction.soil_resistance_per_slip = 0.0;
+}
+
 // Slip ratio as defined for driving (over the wheel's speed) and braking (over the ground speed).
 // Below kSlowest_mps it is taken over that speed: moving off winds the tyres up by millimetres,
 // which over a speed near zero would read as wheel spin.
@@ -128,19 +144,19 @@ double slip_ratio(double hub_mps, double rim_mps) {
 
 }  // namespace
 
-TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
-                       const PerWheel<WheelDefinition>& wheels,
-                       const PerWheel<WheelTorques>& torques, const SoilMap& soil,
+TyreResult solve_tyres(std::span<const WheelContact> contacts,
+                       std::span<const WheelDefinition> wheels,
+                       std::span<const WheelTorques> torques, const SoilMap& soil,
                        const ChassisMass& mass, const ChassisState& chassis,
                        const Eigen::Vector3d& v_W, const Eigen::Vector3d& omega_W, double dt_s,
-                       PerWheel<WheelState>& states, std::span<const BellyContact> belly) {
+                       std::span<WheelState> states, std::span<const BellyContact> belly) {
   Motion motion{
       v_W, omega_W, 1.0 / mass.mass_kg,
       chassis.R_WB * mass.inertia_kg_m2.cwiseInverse().asDiagonal() * chassis.R_WB.transpose()};
   PerWheel<WheelRows> rows;
   PerWheel<Traction> tractions;
   PerWheel<double> lateral_gammas{};
-  for (std::size_t i = 0; i < kWheels; ++i) {
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
     const WheelContact& contact = contacts[i];
     const WheelDefinition& wheel = wheels[i];
     WheelRows& row = rows[i];
@@ -153,6 +169,7 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
     lateral_gammas[i] = under.lateral_gamma_rad;
     if (contact.load_n > 0.0) {
       tractions[i] = traction_on(under, wheel.tyre, contact.load_n, contact.deflection_m);
+      if (wheel.rolling_resistance > 0.0) roll_by(wheel.rolling_resistance, tractions[i]);
     }
     const Traction& traction = tractions[i];
     const double rolling_nm = traction.tyre_resistance * contact.load_n * wheel.radius_m;
@@ -174,6 +191,7 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
     row.z_x_new = states[i].bristle_x_m;
     row.z_y_new = states[i].bristle_y_m;
   }
+  for (std::size_t i = 0; i < wheels.size(); ++i) start_from(states[i], dt_s, rows[i], motion);
 
   std::vector<BellyRows> belly_friction;
   for (const BellyContact& contact : belly) {
@@ -181,7 +199,7 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
   }
 
   for (int iteration = 0; iteration < kTyreIterations; ++iteration) {
-    for (std::size_t i = 0; i < kWheels; ++i) {
+    for (std::size_t i = 0; i < wheels.size(); ++i) {
       WheelRows& row = rows[i];
       const Bristle bristle =
           linearise(tractions[i], lateral_gammas[i], contacts[i].load_n, row.z_x_new, row.z_y_new);
@@ -197,7 +215,7 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
   }
 
   TyreResult result;
-  for (std::size_t i = 0; i < kWheels; ++i) {
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
     WheelRows& row = rows[i];
     WheelState& state = states[i];
     state.spin_rad_per_s =
@@ -213,11 +231,12 @@ TyreResult solve_tyres(const PerWheel<WheelContact>& contacts,
     // What of the contact's velocity does not go into the bristles.
     result.sliding_mps[i] = row.relax_speed_mps / kRelaxationLength_m *
                             Eigen::Vector2d(state.bristle_x_m, state.bristle_y_m).norm();
-    result.along_n[i] = row.x.impulse / dt_s;
-    result.across_n[i] = row.y.impulse / dt_s;
-    result.brake_nm[i] = row.brake_share * row.coulomb_impulse / dt_s;
-    result.rolling_nm[i] = row.coulomb_impulse / dt_s - result.brake_nm[i];
-    result.soil_n[i] = row.soil_impulse / dt_s;
+    state.along_n = result.along_n[i] = row.x.impulse / dt_s;
+    state.across_n = result.across_n[i] = row.y.impulse / dt_s;
+    state.soil_n = result.soil_n[i] = row.soil_impulse / dt_s;
+    state.coulomb_nm = row.coulomb_impulse / dt_s;
+    result.brake_nm[i] = row.brake_share * state.coulomb_nm;
+    result.rolling_nm[i] = state.coulomb_nm - result.brake_nm[i];
     result.slip[i] = slip_ratio(row.x.velocity(motion), wheels[i].radius_m * state.spin_rad_per_s);
     const Eigen::Vector3d along = (result.along_n[i] + result.soil_n[i]) * row.x.direction;
     const Eigen::Vector3d across = result.across_n[i] * row.y.direction;

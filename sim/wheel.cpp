@@ -53,12 +53,11 @@ Gap measure_gap(const Heightfield& terrain, const ChassisState& chassis,
 }  // namespace
 
 PerWheel<WheelDefinition> define_wheels(const Vehicle& vehicle, const ChassisMass& mass) {
-  const double front_share = front_load_share(vehicle);
-  const double weight_n = mass.mass_kg * kGravity_mps2;
+  const AxleLoads loads = static_axle_loads(vehicle);
   PerWheel<WheelDefinition> wheels;
   for (int i = 0; i < kWheels; ++i) {
     const bool front = i >= 2;
-    const double load_n = 0.5 * weight_n * (front ? front_share : 1.0 - front_share);
+    const double load_n = 0.5 * (front ? loads.front_n : loads.rear_n);
     auto& wheel = wheels[static_cast<std::size_t>(i)];
     wheel = define_wheel(front ? vehicle.front : vehicle.rear, i % 2 == 0, vehicle.steering.kind,
                          mass, load_n);
@@ -68,15 +67,16 @@ PerWheel<WheelDefinition> define_wheels(const Vehicle& vehicle, const ChassisMas
 }
 
 PerWheel<WheelContact> touch_ground(const Heightfield& terrain, const ChassisState& chassis,
-                                    const PerWheel<WheelDefinition>& wheels,
+                                    std::span<const WheelDefinition> wheels,
                                     double curvature_per_m) {
   PerWheel<Gap> gaps;
-  for (std::size_t i = 0; i < kWheels; ++i) gaps[i] = measure_gap(terrain, chassis, wheels[i]);
+  for (std::size_t i = 0; i < wheels.size(); ++i)
+    gaps[i] = measure_gap(terrain, chassis, wheels[i]);
 
   PerWheel<WheelContact> contacts;
   const Eigen::Vector3d forward = chassis.R_WB.col(0);
   const Eigen::Vector3d left = chassis.R_WB.col(1);
-  for (std::size_t i = 0; i < kWheels; ++i) {
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
     const WheelDefinition& wheel = wheels[i];
     const Gap& gap = gaps[i];
     WheelContact& contact = contacts[i];
@@ -125,10 +125,10 @@ PerWheel<WheelContact> touch_ground(const Heightfield& terrain, const ChassisSta
   return contacts;
 }
 
-double spring_energy_j(const PerWheel<WheelContact>& contacts,
-                       const PerWheel<WheelDefinition>& wheels) {
+double spring_energy_j(std::span<const WheelContact> contacts,
+                       std::span<const WheelDefinition> wheels) {
   double energy_j = 0.0;
-  for (std::size_t i = 0; i < kWheels; ++i) {
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
     energy_j +=
         0.5 * wheels[i].stiffness_n_per_m * contacts[i].deflection_m * contacts[i].deflection_m;
   }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <span>
 
 #include "sim/chassis.h"
 #include "terrains/heightfield.h"
@@ -13,6 +14,8 @@ namespace headland {
 
 inline constexpr int kWheels = 4;  // rear left, rear right, front left, front right
 
+// What a body with fewer wheels has in it beyond them stays as it is constructed. Functions take a
+// span of the body's own wheels.
 template <typename T>
 using PerWheel = std::array<T, kWheels>;
 
@@ -30,6 +33,7 @@ struct WheelDefinition {
   Eigen::Vector2d p_B = Eigen::Vector2d::Zero();  // hub seen from above
   int partner = 0;                                // the other wheel of the axle
   double oscillation_max_rad = 0.0;               // of the axle; 0: rigid
+  double rolling_resistance = 0.0;                // of load, whatever the soil; 0: the soil's
 };
 
 PerWheel<WheelDefinition> define_wheels(const Vehicle& vehicle, const ChassisMass& mass);
@@ -39,6 +43,11 @@ struct WheelState {
   double angle_rad = 0.0;
   double bristle_x_m = 0.0;  // deflection of the tyre along and across the wheel
   double bristle_y_m = 0.0;
+  // Of the last step, as in TyreResult: where the next one starts to look for its own.
+  double along_n = 0.0;
+  double across_n = 0.0;
+  double soil_n = 0.0;
+  double coulomb_nm = 0.0;  // brake and rolling together
 };
 
 // A wheel's contact in one step. Vectors in W, offsets from the centre of mass.
@@ -64,11 +73,11 @@ struct WheelContact {
 // its load equally between its wheels up to its oscillation limit. Steered wheels point along the
 // circle of `curvature_per_m` that B's origin is steered on.
 PerWheel<WheelContact> touch_ground(const Heightfield& terrain, const ChassisState& chassis,
-                                    const PerWheel<WheelDefinition>& wheels,
+                                    std::span<const WheelDefinition> wheels,
                                     double curvature_per_m);
 
 // Energy [J] in the tyres' vertical springs.
-double spring_energy_j(const PerWheel<WheelContact>& contacts,
-                       const PerWheel<WheelDefinition>& wheels);
+double spring_energy_j(std::span<const WheelContact> contacts,
+                       std::span<const WheelDefinition> wheels);
 
 }  // namespace headland

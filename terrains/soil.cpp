@@ -67,6 +67,11 @@ const Soil& soil_named(const std::string& name, const std::string& source,
                                nearest_name(name, names), fmt::join(names, ", ")));
 }
 
+std::string_view texture_name(SoilTexture texture) {
+  constexpr std::string_view kNames[kSoilTextures] = {"fine", "medium", "coarse"};
+  return kNames[static_cast<std::size_t>(texture)];
+}
+
 std::string law_text(const Soil& soil) {
   return std::visit([](const auto& law) { return text_of(law); }, soil.law);
 }

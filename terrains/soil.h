@@ -1,6 +1,7 @@
 // Soils as data: what the tyres can pull on and what rolling costs. The laws are in traction.h.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,11 +30,16 @@ struct ConstantGround {
   double slip_stiffness = 8.0;       // per unit of slip
 };
 
+// Classes by which ASABE D497 gives the draft of tools: clay, loam, sand.
+enum class SoilTexture { kFine, kMedium, kCoarse };
+inline constexpr std::size_t kSoilTextures = 3;
+
 struct Soil {
   std::string name;
   std::variant<BrixiusSoil, Pavement, ConstantGround> law;
   double lateral_gamma_rad = 0.09;  // slip angle scale of the lateral force (Crolla)
   std::string source;               // of the numbers
+  SoilTexture texture = SoilTexture::kMedium;
 };
 
 // Soils of the user's own numbers, named after them: "cone index 900 kPa", "mu 0.6, Crr 0.05".
@@ -49,6 +55,9 @@ inline constexpr double kMinSlipStiffness = 0.1;
 inline constexpr double kMaxSlipStiffness = 100.0;
 inline constexpr double kMinLateralGamma_rad = 0.01;
 inline constexpr double kMaxLateralGamma_rad = 1.0;
+
+// "fine", "medium" or "coarse".
+std::string_view texture_name(SoilTexture texture);
 
 // Every soil the program knows, in the order `headland list soils` prints them: hardest first.
 std::span<const Soil> soils();

@@ -13,6 +13,7 @@
 
 #include "terrains/input_error.h"
 #include "terrains/input_file.h"
+#include "vehicle_models/draft.h"
 #include "vehicle_models/drive_keys.h"
 
 namespace headland {
@@ -143,6 +144,40 @@ void read_keys(const YAML::Node& node, const Place& place, const std::vector<Dri
   }
 }
 
+// Draft stands either per metre of width or as a tillage law, and that by a tool's name or by its
+// coefficients.
+void check_draft(const YAML::Node& root, const Place& top) {
+  const YAML::Node implement = root["implement"];
+  const bool per_metre = implement[std::string(kDraftPerMetre)].IsDefined();
+  const YAML::Node law = root[std::string(kDraft)];
+  const Place of_implement = top.child("implement").child(kDraftPerMetre);
+  if (!law.IsDefined()) {
+    if (!per_metre) of_implement.refuse(implement, "", "missing key, or a section 'draft' instead");
+    return;
+  }
+  if (per_metre) of_implement.refuse(implement, "", "only one of it and the section 'draft'");
+  const Place place = top.child(kDraft);
+  const YAML::Node tools = law["tools"];
+  const YAML::Node name = law[std::string(kDraftTool)];
+  if (!name.IsDefined()) {
+    if (!law["a"].IsDefined()) place.child("a").refuse(law, "", "missing key, or a 'tool' instead");
+    return;
+  }
+  for (const char* key : {"a", "b", "c"}) {
+    if (law[key].IsDefined()) {
+      place.child(key).refuse(law[key], "", "stands in the row of the tool; give one of the two");
+    }
+  }
+  const auto row = std::ranges::find(d497_tools(), name.Scalar(), &D497Tool::name);
+  if (row->per_tool && !tools.IsDefined()) {
+    place.child("tools").refuse(law, "", fmt::format("missing key: {} draws per tool", row->name));
+  }
+  if (!row->per_tool && tools.IsDefined()) {
+    place.child("tools").refuse(tools, "",
+                                fmt::format("{} draws per metre of working width", row->name));
+  }
+}
+
 YAML::Node parse_file(const std::string& file) {
   try {
     std::vector<YAML::Node> documents = YAML::LoadAll(read_text(file));
@@ -163,14 +198,18 @@ YAML::Node parse_file(const std::string& file) {
 void read_drive(const std::filesystem::path& path, Vehicle& vehicle) {
   const std::string file = path.string();
   const YAML::Node root = parse_file(file);
-  if (root.IsMap() && root[std::string(kTrailing)].IsDefined()) {
-    vehicle.implement.trailing.emplace();
-  }
+  const auto stands = [&root](std::string_view section) {
+    return root.IsMap() && root[std::string(section)].IsDefined();
+  };
+  if (stands(kTrailing)) vehicle.implement.trailing.emplace();
+  if (stands(kDraft)) vehicle.implement.tillage.emplace();
   const std::vector<DriveKey> head = {{.key = "description", .text = &vehicle.description}};
   const std::vector<DriveSection> sections = sections_of(vehicle);
   std::vector<KeyName> known = names_of(head);
   for (const DriveSection& section : sections) known.push_back({std::string(section.name)});
-  known.push_back({std::string(kTrailing), true});
+  for (const std::string_view section : {kDraft, kTrailing}) {
+    known.push_back({std::string(section), true});
+  }
 
   const Place top{file, ""};
   check_keys(root, top, known);
@@ -181,6 +220,7 @@ void read_drive(const std::filesystem::path& path, Vehicle& vehicle) {
     check_keys(node, place, names_of(section.keys));
     read_keys(node, place, section.keys);
   }
+  check_draft(root, top);
 }
 
 }  // namespace headland

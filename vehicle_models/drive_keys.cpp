@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "vehicle_models/draft.h"
+
 namespace headland {
 namespace {
 
@@ -61,13 +63,46 @@ DriveKey chemistry_key(Battery& battery) {
 }
 
 std::vector<DriveKey> trailing_keys(Trailing& trailing) {
-  return {number("hitch_x_B_m", trailing.hitch_x_B_m, -10.0, 10.0),
-          optional(number("hitch_height_m", trailing.hitch_height_m, 0.05, 2.0)),
-          number("drawbar_length_m", trailing.drawbar_length_m, 0.2, 20.0),
-          optional(number("track_m", trailing.track_m, 0.2, 10.0)),
-          optional(number("wheel_radius_m", trailing.wheel_radius_m, 0.05, 2.0)),
-          optional(number("rolling_resistance", trailing.rolling_resistance, 0.0, 1.0)),
-          optional(number("max_angle_deg", trailing.max_angle_rad, 5.0, 120.0, kDegree))};
+  return {
+      number("hitch_x_B_m", trailing.hitch_x_B_m, -10.0, 10.0),
+      optional(number("hitch_height_m", trailing.hitch_height_m, 0.05, 2.0)),
+      number("drawbar_length_m", trailing.drawbar_length_m, 0.2, 20.0),
+      optional(number("com_ahead_m", trailing.com_ahead_m, 0.0, 10.0)),
+      optional(number("track_m", trailing.track_m, 0.2, 10.0)),
+      optional(number("wheel_radius_m", trailing.wheel_radius_m, 0.05, 2.0)),
+      optional(number("wheel_width_m", trailing.wheel_width_m, 0.02, 2.0)),
+      optional(number("wheel_inertia_kg_m2", trailing.wheel_inertia_kg_m2, 0.001, 1000.0)),
+      optional(number("vertical_stiffness_n_per_m", trailing.vertical_stiffness_n_per_m, 1e3, 1e8)),
+      optional(number("vertical_damping_n_s_per_m", trailing.vertical_damping_n_s_per_m, 0.0, 1e6)),
+      optional(number("section_height_m", trailing.section_height_m, 0.005, 1.5)),
+      optional(number("rolling_resistance", trailing.rolling_resistance, 0.0, 1.0)),
+      optional(number("max_angle_deg", trailing.max_angle_rad, 5.0, 120.0, kDegree))};
+}
+
+DriveKey tool_key(TillageDraft& draft) {
+  DriveKey key{.key = kDraftTool};
+  for (const D497Tool& tool : d497_tools()) key.words.push_back(tool.name);
+  key.choose = [&draft](std::size_t word) {
+    const D497Tool& tool = d497_tools()[word];
+    draft.a = tool.a;
+    draft.b = tool.b;
+    draft.c = tool.c;
+    draft.texture_factor = tool.texture_factor;
+  };
+  return optional(key);
+}
+
+std::vector<DriveKey> draft_keys(TillageDraft& draft) {
+  auto& factor = draft.texture_factor;
+  return {tool_key(draft),
+          optional(number("a", draft.a, 0.0, 1e5)),
+          optional(number("b", draft.b, 0.0, 1e4)),
+          optional(number("c", draft.c, 0.0, 1e3)),
+          optional(number("factor_fine", factor[0], 0.0, 10.0)),
+          optional(number("factor_medium", factor[1], 0.0, 10.0)),
+          optional(number("factor_coarse", factor[2], 0.0, 10.0)),
+          optional(integer("tools", draft.tools, 1.0, 1000.0)),
+          number("depth_cm", draft.depth_cm, 0.1, 100.0)};
 }
 
 }  // namespace
@@ -109,10 +144,11 @@ std::vector<DriveSection> sections_of(Vehicle& v) {
         number("mass_kg", v.implement.mass_kg, 0.0, 20000.0),
         number("x_B_m", v.implement.x_B_m, -10.0, 10.0),
         number("working_width_m", v.implement.working_width_m, 0.05, 100.0),
-        number("draft_n_per_m", v.implement.draft_n_per_m, 0.0, 1e5),
+        optional(number(kDraftPerMetre, v.implement.draft_n_per_m, 0.0, 1e5)),
         number("draft_height_m", v.implement.draft_height_m, -1.0, 2.0),
         optional(number("com_height_m", v.implement.com_height_m, 0.0, 5.0)),
         number("shaft_power_w", v.implement.shaft_power_w, 0.0, 1e6),
+        optional(number("shaft_power_w_per_m", v.implement.shaft_power_w_per_m, 0.0, 1e5)),
         optional(number("shaft_efficiency", v.implement.shaft_efficiency, 0.01, 1.0)),
         number("lift_time_s", v.implement.lift_time_s, 0.0, 60.0),
         number("lift_energy_j", v.implement.lift_energy_j, 0.0, 1e6)}},
@@ -126,6 +162,7 @@ std::vector<DriveSection> sections_of(Vehicle& v) {
         number("look_ahead_m", v.driver.look_ahead_m, 0.1, 50.0),
         number("look_ahead_time_s", v.driver.look_ahead_time_s, 0.0, 10.0)}},
   };
+  if (v.implement.tillage) sections.push_back({kDraft, draft_keys(*v.implement.tillage)});
   if (v.implement.trailing) {
     sections.push_back({kTrailing, trailing_keys(*v.implement.trailing)});
   }

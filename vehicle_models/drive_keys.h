@@ -32,8 +32,11 @@ struct DriveSection {
 };
 
 // Every section and key of a drive.yaml, with targets in `vehicle`. The section kTrailing is there
-// when the vehicle's implement trails.
+// when the vehicle's implement trails, the section kDraft when it tills by a law of its own.
 inline constexpr std::string_view kTrailing = "trailing";
+inline constexpr std::string_view kDraft = "draft";
+inline constexpr std::string_view kDraftTool = "tool";
+inline constexpr std::string_view kDraftPerMetre = "draft_n_per_m";
 std::vector<DriveSection> sections_of(Vehicle& vehicle);
 
 }  // namespace headland

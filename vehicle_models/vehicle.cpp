@@ -1,6 +1,7 @@
 #include "vehicle_models/vehicle.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace headland {
 
@@ -40,6 +41,16 @@ double min_turning_radius_m(const Vehicle& vehicle) {
 
 double planning_turning_radius_m(const Vehicle& vehicle) {
   return kTurningRadiusMargin * min_turning_radius_m(vehicle);
+}
+
+double steady_hitch_angle_rad(const Trailing& trailing, double curvature_per_m) {
+  if (curvature_per_m == 0.0) return 0.0;
+  const double radius_m = 1.0 / std::abs(curvature_per_m);
+  const double pin_m = std::hypot(radius_m, trailing.hitch_x_B_m);
+  const double length_m = trailing.drawbar_length_m;
+  if (length_m >= pin_m) return std::copysign(std::numbers::pi, -curvature_per_m);
+  const double angle_rad = std::asin(length_m / pin_m) - std::atan(trailing.hitch_x_B_m / radius_m);
+  return std::copysign(angle_rad, -curvature_per_m);
 }
 
 double total_mass_kg(const Vehicle& vehicle) {

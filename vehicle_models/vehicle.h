@@ -115,6 +115,12 @@ double min_turning_radius_m(const Vehicle& vehicle);
 inline constexpr double kTurningRadiusMargin = 1.15;
 double planning_turning_radius_m(const Vehicle& vehicle);
 
+// Hitch angle [rad]: yaw of a trailed implement less the vehicle's, on a steady circle of B's
+// origin of that curvature, tyres without slip; negative on a left one. The pin runs on the radius
+// hypot(R, hitch_x_B), the implement's axle on sqrt(R^2 + hitch_x_B^2 - drawbar^2). +-pi where
+// there is no such circle and the implement jackknifes.
+double steady_hitch_angle_rad(const Trailing& trailing, double curvature_per_m);
+
 // Mass with implement [kg].
 double total_mass_kg(const Vehicle& vehicle);
 

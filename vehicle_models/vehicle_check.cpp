@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "terrains/input_error.h"
+#include "vehicle_models/draft.h"
 #include "vehicle_models/vehicle_figures.h"
 
 namespace headland {
 namespace {
+
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 [[noreturn]] void refuse(const std::string& source, std::string_view key, double value,
                          std::string allowed) {
@@ -142,6 +146,26 @@ void check_trailing(const Vehicle& vehicle, const std::string& source) {
            fmt::format("a trailed implement works behind its hitch, below {:g} m",
                        trailing->hitch_x_B_m));
   }
+  if (trailing->com_ahead_m >= trailing->drawbar_length_m) {
+    refuse(source, "trailing.com_ahead_m", trailing->com_ahead_m,
+           fmt::format("must lie between the implement's axle and the pin, below {:g} m",
+                       trailing->drawbar_length_m));
+  }
+  const double load_n = 0.5 * (kGravity_mps2 * vehicle.implement.mass_kg - hitch_load_n(vehicle));
+  const double least_n_per_m = load_n / (kMaxStaticDeflection * trailing->wheel_radius_m);
+  if (trailing->vertical_stiffness_n_per_m < least_n_per_m) {
+    refuse(source, "trailing.vertical_stiffness_n_per_m", trailing->vertical_stiffness_n_per_m,
+           fmt::format("the tyre would sag {:.2f} m at rest; at least {:.0f} N/m",
+                       load_n / trailing->vertical_stiffness_n_per_m, least_n_per_m));
+  }
+  const double radius_m = planning_turning_radius_m(vehicle);
+  const double angle_rad = -steady_hitch_angle_rad(*trailing, 1.0 / radius_m);
+  if (!(angle_rad < trailing->max_angle_rad)) {
+    refuse(source, "trailing.drawbar_length_m", trailing->drawbar_length_m,
+           fmt::format("on the tightest circle of plans, {:.2f} m, the drawbar would jackknife: "
+                       "beyond max_angle_deg, {:.0f}",
+                       radius_m, kDegreesPerRadian * trailing->max_angle_rad));
+  }
 }
 
 void check_drive(const Vehicle& vehicle, const std::string& source) {
@@ -154,12 +178,15 @@ void check_drive(const Vehicle& vehicle, const std::string& source) {
            fmt::format("reaches {:.2f} m/s, the driver wants {:.2f} m/s; at most {:.1f}", top_mps,
                        fastest_mps, vehicle.drivetrain.gear_ratio * top_mps / fastest_mps));
   }
-  const double draft_n = vehicle.implement.draft_n_per_m * vehicle.implement.working_width_m;
+  const Implement& implement = vehicle.implement;
+  const double pull_n = draft_n(implement, SoilTexture::kMedium, driver.work_speed_mps);
   const double force_n = drive_force_n(vehicle, driver.work_speed_mps);
-  if (draft_n >= force_n) {
-    refuse(source, "implement.draft_n_per_m", vehicle.implement.draft_n_per_m,
-           fmt::format("draws {:.0f} N over {:g} m; the motor pulls {:.0f} N at {:g} m/s", draft_n,
-                       vehicle.implement.working_width_m, force_n, driver.work_speed_mps));
+  if (pull_n >= force_n) {
+    const std::string why =
+        fmt::format("draws {:.0f} N over {:g} m; the motor pulls {:.0f} N at {:g} m/s", pull_n,
+                    implement.working_width_m, force_n, driver.work_speed_mps);
+    if (implement.tillage) refuse(source, "draft.depth_cm", implement.tillage->depth_cm, why);
+    refuse(source, "implement.draft_n_per_m", implement.draft_n_per_m, why);
   }
   const double holding_nm = total_mass_kg(vehicle) * kGravity_mps2 *
                             std::sin(std::atan(kParkingGrade)) *
@@ -173,7 +200,7 @@ void check_drive(const Vehicle& vehicle, const std::string& source) {
 
 void check_power(const Vehicle& vehicle, const std::string& source) {
   const double wanted_w = drive_peak_input_w(vehicle) +
-                          vehicle.implement.shaft_power_w / vehicle.implement.shaft_efficiency +
+                          shaft_power_w(vehicle.implement) / vehicle.implement.shaft_efficiency +
                           vehicle.battery.auxiliary_power_w;
   const double available_w = max_battery_power_w(vehicle.battery);
   if (available_w < wanted_w) {
@@ -193,15 +220,6 @@ void check_vehicle(const Vehicle& vehicle, const std::string& source) {
   check_trailing(vehicle, source);
   check_drive(vehicle, source);
   check_power(vehicle, source);
-}
-
-void check_drivable(const Vehicle& vehicle, const std::string& source) {
-  if (vehicle.implement.trailing) {
-    throw InputError(
-        source, "vehicle", vehicle.name,
-        "a trailed implement (section trailing of drive.yaml) is not driven by the simulation; "
-        "'headland plan' and 'headland vehicle check' take it");
-  }
 }
 
 }  // namespace headland

@@ -12,10 +12,6 @@ namespace headland {
 // are the loader's business; call this again after changing a loaded vehicle.
 void check_vehicle(const Vehicle& vehicle, const std::string& source);
 
-// Throws InputError for a vehicle that stands for itself but that the simulation does not drive:
-// one with a trailed implement.
-void check_drivable(const Vehicle& vehicle, const std::string& source);
-
 // A parked machine must hold on this slope (rise over run) by its brakes.
 inline constexpr double kParkingGrade = 0.20;
 

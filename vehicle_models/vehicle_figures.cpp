@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vehicle_models/draft.h"
+
 namespace headland {
 namespace {
 
@@ -16,16 +18,9 @@ double mounted_kg(const Vehicle& vehicle) {
   return vehicle.implement.trailing ? 0.0 : vehicle.implement.mass_kg;
 }
 
-double carried_kg(const Vehicle& vehicle) { return vehicle.body.mass_kg + mounted_kg(vehicle); }
-
-// Force [N] that rolls vehicle and trailed implement along the flat.
-double rolling_n(const Vehicle& vehicle, double rolling_resistance) {
-  double force_n = kGravity_mps2 * carried_kg(vehicle) * rolling_resistance;
-  if (const auto& trailing = vehicle.implement.trailing) {
-    const double own = trailing->rolling_resistance;
-    force_n += kGravity_mps2 * vehicle.implement.mass_kg * (own > 0.0 ? own : rolling_resistance);
-  }
-  return force_n;
+// Force [N] that rolls the vehicle itself along the flat.
+double own_rolling_n(const Vehicle& vehicle, double rolling_resistance) {
+  return (kGravity_mps2 * carried_mass_kg(vehicle) + hitch_load_n(vehicle)) * rolling_resistance;
 }
 
 double driven_radius_m(const Vehicle& vehicle) {
@@ -40,11 +35,22 @@ double motor_input_w(const Motor& motor, double torque_nm, double speed) {
 
 }  // namespace
 
+double carried_mass_kg(const Vehicle& vehicle) {
+  return vehicle.body.mass_kg + mounted_kg(vehicle);
+}
+
+double hitch_load_n(const Vehicle& vehicle) {
+  const auto& trailing = vehicle.implement.trailing;
+  if (!trailing || trailing->com_ahead_m == 0.0) return 0.0;
+  return kGravity_mps2 * vehicle.implement.mass_kg * trailing->com_ahead_m /
+         trailing->drawbar_length_m;
+}
+
 Eigen::Vector3d total_com_B(const Vehicle& vehicle) {
   const Implement& implement = vehicle.implement;
   const Eigen::Vector3d implement_B(implement.x_B_m, 0.0, implement.com_height_m);
   return (vehicle.body.mass_kg * vehicle.body.com_B + mounted_kg(vehicle) * implement_B) /
-         carried_kg(vehicle);
+         carried_mass_kg(vehicle);
 }
 
 double front_load_share(const Vehicle& vehicle) {
@@ -53,8 +59,16 @@ double front_load_share(const Vehicle& vehicle) {
 
 AxleLoads static_axle_loads(const Vehicle& vehicle) {
   const double front_share = front_load_share(vehicle);
-  const double weight_n = kGravity_mps2 * carried_kg(vehicle);
-  return {(1.0 - front_share) * weight_n, front_share * weight_n};
+  const double weight_n = kGravity_mps2 * carried_mass_kg(vehicle);
+  AxleLoads loads{(1.0 - front_share) * weight_n, front_share * weight_n};
+  if (vehicle.implement.trailing) {
+    const double hitch_n = hitch_load_n(vehicle);
+    const double hitch_share =
+        (vehicle.implement.trailing->hitch_x_B_m - vehicle.rear.x_B_m) / wheelbase_m(vehicle);
+    loads.rear_n += (1.0 - hitch_share) * hitch_n;
+    loads.front_n += hitch_share * hitch_n;
+  }
+  return loads;
 }
 
 TyreSize tyre_size(const Axle& axle, double load_n) {
@@ -146,13 +160,34 @@ double max_grade_by_grip(const Vehicle& vehicle, double net_pull, double rolling
   return std::max(0.0, climb);
 }
 
+double needed_pull_n(const Vehicle& vehicle, double rolling_resistance, SoilTexture texture,
+                     double speed_mps, bool working) {
+  double pull_n = 0.0;
+  if (const auto& trailing = vehicle.implement.trailing) {
+    const double own = trailing->rolling_resistance;
+    pull_n = (kGravity_mps2 * vehicle.implement.mass_kg - hitch_load_n(vehicle)) *
+             (own > 0.0 ? own : rolling_resistance);
+  }
+  return working ? pull_n + draft_n(vehicle.implement, texture, speed_mps) : pull_n;
+}
+
+HitchPull hitch_pull(const Vehicle& vehicle, const SoilFigures& on_soil, double speed_mps) {
+  const AxleLoads loads = static_axle_loads(vehicle);
+  const double driven_n =
+      (vehicle.rear.driven ? loads.rear_n : 0.0) + (vehicle.front.driven ? loads.front_n : 0.0);
+  const double rolling = on_soil.rolling_resistance;
+  const double undriven_n = loads.rear_n + loads.front_n - driven_n;
+  return {std::max(0.0, drive_force_n(vehicle, speed_mps) - own_rolling_n(vehicle, rolling)),
+          std::max(0.0, on_soil.net_pull * driven_n - rolling * undriven_n)};
+}
+
 Endurance endurance(const Vehicle& vehicle, double speed_mps, double rolling_resistance,
-                    bool working) {
+                    bool working, SoilTexture texture) {
   const Implement& implement = vehicle.implement;
   const Motor& motor = vehicle.motor;
   const Battery& battery = vehicle.battery;
-  double force_n = rolling_n(vehicle, rolling_resistance);
-  if (working) force_n += implement.draft_n_per_m * implement.working_width_m;
+  const double force_n = own_rolling_n(vehicle, rolling_resistance) +
+                         needed_pull_n(vehicle, rolling_resistance, texture, speed_mps, working);
   Endurance result;
   if (force_n > drive_force_n(vehicle, speed_mps)) return result;
   const int motors = motor_count(vehicle);
@@ -160,7 +195,7 @@ Endurance endurance(const Vehicle& vehicle, double speed_mps, double rolling_res
   const double torque_nm = force_n * speed_mps / (motors * vehicle.drivetrain.efficiency * speed);
   result.power_w = motors * motor_input_w(motor, torque_nm, speed) / motor.inverter_efficiency +
                    battery.auxiliary_power_w +
-                   (working ? implement.shaft_power_w / implement.shaft_efficiency : 0.0);
+                   (working ? shaft_power_w(implement) / implement.shaft_efficiency : 0.0);
   const double emf_v = nominal_voltage_v(battery);
   const double resistance_ohm = battery.resistance_ohm + battery.polarisation_resistance_ohm;
   const double root = emf_v * emf_v - 4.0 * resistance_ohm * result.power_w;

@@ -1,8 +1,8 @@
 // What follows from a vehicle's numbers before it is driven: loads, speeds, forces, limits.
 //
 // Level ground, at rest, implement raised unless said otherwise; a mounted one's mass acts at
-// implement.x_B_m and com_height_m, a trailed one stands on its own wheels. Tyres are rigid and do
-// not slip.
+// implement.x_B_m and com_height_m, a trailed one stands on its own wheels and presses on the hitch
+// pin. Tyres are rigid and do not slip.
 #pragma once
 
 #include "terrains/traction.h"
@@ -12,10 +12,16 @@ namespace headland {
 
 inline constexpr double kGravity_mps2 = 9.80665;  // standard gravity
 
-// Share of the weight on the front axle.
+// Mass [kg] of the machine with what is mounted on it.
+double carried_mass_kg(const Vehicle& vehicle);
+
+// Weight [N] that a trailed implement puts on the hitch pin; 0 for a mounted one.
+double hitch_load_n(const Vehicle& vehicle);
+
+// Share of that mass's weight on the front axle, without the hitch load.
 double front_load_share(const Vehicle& vehicle);
 
-// Weight on each axle [N]; negative when the axle would lift.
+// Weight on each axle [N], hitch load included; negative when the axle would lift.
 struct AxleLoads {
   double rear_n = 0.0;
   double front_n = 0.0;
@@ -59,6 +65,18 @@ double max_grade(const Vehicle& vehicle, double rolling_resistance);
 // wheel over its load, `rolling_resistance` that of the others. The slope shifts weight backwards.
 double max_grade_by_grip(const Vehicle& vehicle, double net_pull, double rolling_resistance);
 
+// Pull [N] that a trailed implement's wheels need on the flat at a steady speed and, with the
+// implement down, the draft of either kind.
+double needed_pull_n(const Vehicle& vehicle, double rolling_resistance, SoilTexture texture,
+                     double speed_mps, bool working);
+
+// Largest steady pull [N] on the flat that motor and grip leave after rolling the vehicle itself.
+struct HitchPull {
+  double by_motor_n = 0.0;
+  double by_grip_n = 0.0;
+};
+HitchPull hitch_pull(const Vehicle& vehicle, const SoilFigures& on_soil, double speed_mps);
+
 // Steady driving on the flat until the battery is empty, without slip. With the implement down
 // (`working`) draft and shaft power count too.
 struct Endurance {
@@ -67,7 +85,7 @@ struct Endurance {
   double distance_m = 0.0;
 };
 Endurance endurance(const Vehicle& vehicle, double speed_mps, double rolling_resistance,
-                    bool working);
+                    bool working, SoilTexture texture = SoilTexture::kMedium);
 
 // Electrical power [W] of one motor at full shaft power and full torque, by its loss model.
 double motor_peak_input_w(const Motor& motor);

@@ -98,17 +98,24 @@ TEST_P(BadVehicleCall, ExitsWithTwoAndOneLine) {
 INSTANTIATE_TEST_SUITE_P(All, BadVehicleCall, ::testing::ValuesIn(kBadCalls),
                          [](const auto& test) { return test.param.name; });
 
-TEST_F(VehicleCommand, IsNotDrivenWhileTheSimulationDoesNotModelIt) {
-  std::filesystem::copy(HEADLAND_SOURCE_DIR "/vehicle_models/transplanter", folder_ / "mine",
-                        std::filesystem::copy_options::recursive);
-  write("mine/drive.yaml", text_of(folder_ / "mine/drive.yaml") +
-                               "trailing:\n"
-                               "  hitch_x_B_m: {value: -0.3, source: \"assumed\"}\n"
-                               "  drawbar_length_m: {value: 2, source: \"assumed\"}\n");
-  write("trailed.yaml", kTinyField + "vehicle: ./mine\n");
-  const CommandResult result = headland("evaluate trailed.yaml -o out");
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, AllOf(HasSubstr("'mine'"), HasSubstr("a trailed implement")));
+TEST_F(VehicleCommand, TellsWhatATrailedImplementPulls) {
+  const CommandResult result = headland("vehicle check utility_tractor_trailed --json --soil firm");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  // ASABE D497.7: 0.85 (46 + 2.8 * 7.2) N for each of 17 tools and 8 cm.
+  EXPECT_NEAR(json["draft_n"].get<double>(), 0.85 * (46.0 + 2.8 * 7.2) * 17.0 * 8.0, 1e-6);
+  EXPECT_GT(json["pull_needed_n"].get<double>(), json["draft_n"].get<double>());
+  EXPECT_GT(json["pull_by_grip_n"].get<double>(), json["pull_needed_n"].get<double>());
+  EXPECT_GT(json["hitch_load_n"].get<double>(), 0.0);
+}
+
+TEST_F(VehicleCommand, EvaluatesATrailedImplement) {
+  write("trailed.yaml",
+        "field: {boundary: [[0, 0], [90, 0], [90, 70], [0, 70]]}\n"
+        "vehicle: utility_tractor_trailed\n");
+  const CommandResult result = headland("evaluate trailed.yaml -o out --json --size 640x400");
+  ASSERT_LT(result.exit_code, 2) << result.err;
+  EXPECT_EQ(nlohmann::json::parse(result.out)["outcome"]["name"], "finished");
 }
 
 }  // namespace

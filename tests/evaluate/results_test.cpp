@@ -319,7 +319,7 @@ TEST_F(RunFilesTest, RefusesTablesThatAreNone) {
   EXPECT_THAT(refused(""), HasSubstr("run.csv: line 1: the header line is missing"));
   EXPECT_THAT(refused("time_s\n1\n"), HasSubstr("line 1, travel_m: the column is missing"));
   EXPECT_THAT(refused("time_s," + header), HasSubstr("line 1, time_s: the column stands twice"));
-  EXPECT_THAT(refused(header + "1,2\n"), HasSubstr("line 2: '2 cells': the header has 29 columns"));
+  EXPECT_THAT(refused(header + "1,2\n"), HasSubstr("line 2: '2 cells': the header has 30 columns"));
 }
 
 // One damage to a table, and how the refusal ends.

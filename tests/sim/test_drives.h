@@ -172,18 +172,18 @@ inline ParkedVehicle park(const Vehicle& vehicle, double slope, double rate_hz,
   const Heightfield terrain = plane(slope, 0.0);
   const Machine machine = make_machine(vehicle, terrain, soil);
   BulletWorld world(open_field(), terrain, vehicle);
-  world.set_state(place_on_ground(machine, {0.0, 0.0}, 0.0));
+  stand(machine, {0.0, 0.0}, 0.0, world);
   MachineState state;
   DriverCommand braked;
   braked.hold = true;
-  const auto stand = [&](double seconds) {
+  const auto wait = [&](double seconds) {
     for (long i = 0; i < std::lround(seconds * rate_hz); ++i) {
       step_machine(machine, braked, {}, 0.0, 1.0 / rate_hz, world, state);
     }
     return world.state().p_WC;
   };
-  const Eigen::Vector3d settled = stand(20.0);
-  return {1000.0 * (stand(60.0) - settled).norm(), state.wheels};
+  const Eigen::Vector3d settled = wait(20.0);
+  return {1000.0 * (wait(60.0) - settled).norm(), state.wheels};
 }
 
 }  // namespace headland::test

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "vehicle_models/draft.h"
 #include "vehicle_models/vehicle_figures.h"
 #include "vehicle_models/vehicle_loader.h"
 
@@ -28,16 +29,30 @@ class BuiltInVehicle : public testing::TestWithParam<std::string> {
 INSTANTIATE_TEST_SUITE_P(All, BuiltInVehicle, testing::ValuesIn(vehicle_names()),
                          [](const auto& test) { return test.param; });
 
+// What stands or presses on the vehicle's wheels besides its body: mass [kg] and place.
+struct Carried {
+  double mass_kg = 0.0;
+  Eigen::Vector3d p_B = Eigen::Vector3d::Zero();
+};
+Carried carried(const Implement& implement) {
+  if (const auto& trailing = implement.trailing) {
+    return {implement.mass_kg * trailing->com_ahead_m / trailing->drawbar_length_m,
+            {trailing->hitch_x_B_m, 0.0, trailing->hitch_height_m}};
+  }
+  return {implement.mass_kg, {implement.x_B_m, 0.0, implement.com_height_m}};
+}
+
 TEST_P(BuiltInVehicle, AxleLoadsSumToTheWeightAndBalanceTheMoment) {
   const AxleLoads loads = static_axle_loads(vehicle);
-  const double weight_n = kGravity_mps2 * total_mass_kg(vehicle);
+  const Carried implement = carried(vehicle.implement);
+  const double weight_n = kGravity_mps2 * (vehicle.body.mass_kg + implement.mass_kg);
   EXPECT_NEAR(loads.rear_n + loads.front_n, weight_n, 1e-9 * weight_n);
   const double rear_x_m = vehicle.rear.x_B_m;
   const double moment_nm =
       kGravity_mps2 * (vehicle.body.mass_kg * (vehicle.body.com_B.x() - rear_x_m) +
-                       vehicle.implement.mass_kg * (vehicle.implement.x_B_m - rear_x_m));
+                       implement.mass_kg * (implement.p_B.x() - rear_x_m));
   EXPECT_NEAR(loads.front_n * wheelbase_m(vehicle), moment_nm, 1e-9 * weight_n);
-  // A mounted implement must leave a fifth of the weight on the steered axle (common rule).
+  // An implement must leave a fifth of the weight on the steered axle (common rule).
   EXPECT_GT(loads.front_n, 0.2 * weight_n);
 }
 
@@ -65,11 +80,10 @@ TEST_P(BuiltInVehicle, StandsOnTheSideSlopesThatSuchMachinesStandOn) {
 
 // The slope turned until the weight's line passes the rear axle: the mass centre's x and height.
 TEST_P(BuiltInVehicle, LiftsItsNoseOnlyOnSlopesThatAreTooSteepAnyway) {
-  const Implement& implement = vehicle.implement;
-  const Eigen::Vector3d implement_B(implement.x_B_m, 0.0, implement.com_height_m);
+  const double mounted_kg = vehicle.implement.trailing ? 0.0 : vehicle.implement.mass_kg;
   const Eigen::Vector3d com_B =
-      (vehicle.body.mass_kg * vehicle.body.com_B + implement.mass_kg * implement_B) /
-      total_mass_kg(vehicle);
+      (vehicle.body.mass_kg * vehicle.body.com_B + mounted_kg * carried(vehicle.implement).p_B) /
+      (vehicle.body.mass_kg + mounted_kg);
   EXPECT_NEAR(std::tan(nose_up_stability_angle_rad(vehicle)),
               (com_B.x() - vehicle.rear.x_B_m) / com_B.z(), 1e-12);
   EXPECT_GT(nose_up_stability_angle_rad(vehicle), std::atan(0.25));
@@ -105,7 +119,7 @@ TEST_P(BuiltInVehicle, ReachesItsSpeedsWithSomethingLeft) {
 TEST_P(BuiltInVehicle, PullsItsImplementUpATenPercentSlope) {
   const double speed_mps = vehicle.driver.work_speed_mps;
   const double resistance_n =
-      vehicle.implement.draft_n_per_m * vehicle.implement.working_width_m +
+      draft_n(vehicle.implement, SoilTexture::kMedium, speed_mps) +
       kGravity_mps2 * total_mass_kg(vehicle) * (std::sin(std::atan(0.10)) + kSoftRolling);
   EXPECT_GT(drive_force_n(vehicle, speed_mps), resistance_n);
   EXPECT_LT(resistance_n * speed_mps, motor_count(vehicle) * vehicle.motor.max_power_w);
@@ -124,10 +138,11 @@ TEST_P(BuiltInVehicle, BatteryHoldsMostOfItsVoltageAtFullPower) {
 }
 
 TEST_P(BuiltInVehicle, BatteryLastsForHoursOfWork) {
-  const double draft_n = vehicle.implement.draft_n_per_m * vehicle.implement.working_width_m;
+  const double pull_n =
+      draft_n(vehicle.implement, SoilTexture::kMedium, vehicle.driver.work_speed_mps);
   const double rolling_n = 0.05 * kGravity_mps2 * total_mass_kg(vehicle);
   constexpr double kDriveEfficiency = 0.75;
-  const double power_w = (draft_n + rolling_n) * vehicle.driver.work_speed_mps / kDriveEfficiency +
+  const double power_w = (pull_n + rolling_n) * vehicle.driver.work_speed_mps / kDriveEfficiency +
                          vehicle.implement.shaft_power_w + vehicle.battery.auxiliary_power_w;
   const double hours = nominal_energy_wh(vehicle.battery) / power_w;
   EXPECT_GT(hours, 1.0);

@@ -139,24 +139,5 @@ TEST(VehicleCheck, RefusesSteeringWithoutItsNumbers) {
               AllOf(HasSubstr("drivetrain.driven"), HasSubstr("must be per_wheel")));
 }
 
-// What the simulation says about driving the plain test vehicle after one change.
-std::string not_driven(const std::function<void(Vehicle&)>& change) {
-  Vehicle vehicle;
-  vehicle.name = "changed";
-  change(vehicle);
-  try {
-    check_drivable(vehicle, "test");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-TEST(VehicleCheck, RefusesToDriveWhatTheSimulationDoesNotModel) {
-  EXPECT_EQ(not_driven([](Vehicle&) {}), "");
-  EXPECT_THAT(not_driven([](Vehicle& v) { v.implement.trailing.emplace(); }),
-              AllOf(HasSubstr("vehicle: 'changed'"), HasSubstr("a trailed implement")));
-}
-
 }  // namespace
 }  // namespace headland

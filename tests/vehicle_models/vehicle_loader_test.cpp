@@ -182,7 +182,7 @@ std::string trailer(const std::string& hitch_x_m) {
   return "\ntrailing:\n  hitch_x_B_m: {value: " + hitch_x_m +
          ", source: \"assumed\"}\n"
          "  drawbar_length_m: {value: 2, source: \"assumed\"}\n"
-         "  max_angle_deg: {value: 45, source: \"assumed\"}\ndriver:\n";
+         "  max_angle_deg: {value: 90, source: \"assumed\"}\ndriver:\n";
 }
 
 TEST(VehicleLoader, ReadsATrailedImplement) {
@@ -191,8 +191,24 @@ TEST(VehicleLoader, ReadsATrailedImplement) {
   ASSERT_TRUE(vehicle.implement.trailing.has_value());
   EXPECT_EQ(vehicle.implement.trailing->hitch_x_B_m, -0.5);
   EXPECT_EQ(vehicle.implement.trailing->drawbar_length_m, 2.0);
-  EXPECT_DOUBLE_EQ(vehicle.implement.trailing->max_angle_rad, std::numbers::pi / 4.0);
+  EXPECT_DOUBLE_EQ(vehicle.implement.trailing->max_angle_rad, std::numbers::pi / 2.0);
   EXPECT_FALSE(load_vehicle(kPlain.string()).implement.trailing.has_value());
+}
+
+TEST(VehicleLoader, RefusesATrailedImplementThatCannotStandOrTurn) {
+  const auto with = [](const std::string& key, const std::string& value) {
+    return load_refusal("\ndriver:\n",
+                        "\ntrailing:\n  hitch_x_B_m: {value: -0.5, source: \"assumed\"}\n"
+                        "  drawbar_length_m: {value: 2, source: \"assumed\"}\n  " +
+                            key + ": {value: " + value + ", source: \"assumed\"}\ndriver:\n");
+  };
+  EXPECT_THAT(with("com_ahead_m", "2"),
+              AllOf(HasSubstr("trailing.com_ahead_m: '2'"), HasSubstr("below 2 m")));
+  EXPECT_THAT(
+      with("vertical_stiffness_n_per_m", "1000"),
+      AllOf(HasSubstr("trailing.vertical_stiffness_n_per_m: '1000'"), HasSubstr("would sag")));
+  EXPECT_THAT(with("max_angle_deg", "20"),
+              AllOf(HasSubstr("trailing.drawbar_length_m: '2'"), HasSubstr("jackknife")));
 }
 
 TEST(VehicleLoader, RefusesATrailedImplementThatDoesNotTrail) {
