@@ -60,6 +60,7 @@ Json soils_json() {
     list.push_back({{"name", soil.name},
                     {"law", law_text(soil)},
                     {"lateral_gamma_rad", soil.lateral_gamma_rad},
+                    {"texture", std::string(texture_name(soil.texture))},
                     {"source", soil.source}});
   }
   return list;

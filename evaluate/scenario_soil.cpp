@@ -48,6 +48,17 @@ Soil read_law(const YamlSection& section) {
   return soil_of_constants(ground);
 }
 
+SoilTexture read_texture(const YamlSection& section, SoilTexture otherwise) {
+  const auto word = read_word(section, "texture");
+  if (!word) return otherwise;
+  for (std::size_t i = 0; i < kSoilTextures; ++i) {
+    const auto texture = static_cast<SoilTexture>(i);
+    if (*word == texture_name(texture)) return texture;
+  }
+  throw InputError(section.source, place_of(section, "texture"), *word,
+                   "must be fine, medium or coarse");
+}
+
 // One soil by name, cone index or constants.
 Soil read_one_soil(const YamlSection& section) {
   if (std::ranges::count_if(kLaws, [&](std::string_view key) { return has(section, key); }) != 1) {
@@ -63,6 +74,7 @@ Soil read_one_soil(const YamlSection& section) {
   Soil soil = read_law(section);
   soil.lateral_gamma_rad =
       read_number(section, "lateral_gamma_rad", kGammaRange).value_or(soil.lateral_gamma_rad);
+  soil.texture = read_texture(section, soil.texture);
   return soil;
 }
 
@@ -93,11 +105,13 @@ void emit_law(YAML::Emitter& out, const Soil& soil) {
     emit_number(out, "slip_stiffness", ground->slip_stiffness);
   }
   emit_number(out, "lateral_gamma_rad", soil.lateral_gamma_rad);
+  out << YAML::Key << "texture" << YAML::Value << std::string(texture_name(soil.texture));
 }
 
 void emit_one_soil(YAML::Emitter& out, const Soil& soil) {
   const Soil* known = find_soil(soil.name);
-  if (known != nullptr && known->lateral_gamma_rad == soil.lateral_gamma_rad) {
+  if (known != nullptr && known->lateral_gamma_rad == soil.lateral_gamma_rad &&
+      known->texture == soil.texture) {
     out << soil.name;
     return;
   }
@@ -125,7 +139,7 @@ SoilSource read_soil_source(const YamlSection& top, const std::filesystem::path&
   }
   refuse_keys(section,
               {"name", "cone_index_kpa", "friction", "rolling_resistance", "slip_stiffness",
-               "lateral_gamma_rad"},
+               "lateral_gamma_rad", "texture"},
               "not with soil.file; what holds where the file says nothing is soil.default");
   source.file = read_file_name(section, "file", folder);
   source.layer = read_word(section, "layer").value_or("");

@@ -109,7 +109,7 @@ void write_column(Sheet& sheet, Typeface& typeface, const Page& page,
   legend_gap(legend, 18);
   legend_heading(legend, "In the views");
   legend_note(legend,
-              "Ring: centre of mass with the implement. Red: the ground points about which it "
+              "Ring: centre of mass with what is mounted. Red: the ground points about which it "
               "would tip.");
   if (!note.empty()) legend_note(legend, "Body: " + note + ".");
 }

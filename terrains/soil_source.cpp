@@ -76,6 +76,7 @@ SoilReading read_soil(const SoilSource& soil, const Field& field, const std::str
   } else {
     read_soil_zones(soil, field, map);
   }
+  for (Soil& read : map.soils) read.texture = soil.soil.texture;
   long cells = 0;
   long by_default = 0;
   for (std::size_t i = 0; i < in_field.size(); ++i) {

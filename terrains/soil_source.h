@@ -28,10 +28,11 @@ struct SoilReading {
 // Vector files (anything GDAL reads): polygons whose property `soil` names a known soil or whose
 // property `cone_index_kpa` (`cone_index` where names are short) gives a number; each cell takes
 // the zone its middle lies in, the last one in the file where zones overlap. Raster files: the
-// first band is cone index in kPa (or MPa, if its unit says so), rounded to 1 kPa.
-// Throws InputError: missing or unreadable file; no CRS while the field has one, or the other way
-// round; a zone without soil, with two, or with an unknown one (nearest name); a cone index out of
-// range (place); a file that says nothing about the field; a map too large for memory.
+// first band is cone index in kPa (or MPa, if its unit says so), rounded to 1 kPa. Files say
+// nothing of texture: all have that of `soil`. Throws InputError: missing or unreadable file; no
+// CRS while the field has one, or the other way round; a zone without soil, with two, or with an
+// unknown one (nearest name); a cone index out of range (place); a file that says nothing about the
+// field; a map too large for memory.
 SoilReading read_soil(const SoilSource& soil, const Field& field, const std::string& source);
 
 // "firm", "cone index 900 kPa", "zones.geojson".

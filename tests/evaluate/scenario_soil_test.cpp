@@ -44,11 +44,18 @@ TEST_F(ScenarioSoil, IsANameOrNumbers) {
   EXPECT_EQ(std::get<ConstantGround>(constant.law).slip_stiffness, ConstantGround{}.slip_stiffness);
 }
 
+TEST_F(ScenarioSoil, ReadsTheTexture) {
+  EXPECT_EQ(soil("tilled").soil.texture, SoilTexture::kMedium);
+  EXPECT_EQ(soil("{name: tilled, texture: fine}").soil.texture, SoilTexture::kFine);
+  EXPECT_EQ(soil("{cone_index_kpa: 750, texture: coarse}").soil.texture, SoilTexture::kCoarse);
+}
+
 TEST_F(ScenarioSoil, ReadsBackWhatItWrote) {
   written("zones.geojson", "{}");
   for (const char* text :
        {"hard", "{name: soft, lateral_gamma_rad: 0.12}",
-        "{cone_index_kpa: 812.5, lateral_gamma_rad: 0.1}",
+        "{cone_index_kpa: 812.5, lateral_gamma_rad: 0.1, texture: fine}",
+        "{name: firm, texture: coarse}",
         "{friction: 0.25, rolling_resistance: 0.08, slip_stiffness: 12}",
         "{file: zones.geojson, default: tilled}",
         "{file: zones.geojson, layer: a, crs: 'EPSG:4326', cell_m: 2.5, default: "
@@ -60,6 +67,7 @@ TEST_F(ScenarioSoil, ReadsBackWhatItWrote) {
     EXPECT_EQ(second.soil.soil.name, first.soil.soil.name);
     EXPECT_EQ(law_text(second.soil.soil), law_text(first.soil.soil));
     EXPECT_EQ(second.soil.soil.lateral_gamma_rad, first.soil.soil.lateral_gamma_rad);
+    EXPECT_EQ(second.soil.soil.texture, first.soil.soil.texture);
     EXPECT_EQ(second.soil.file, first.soil.file);
     EXPECT_EQ(second.soil.layer, first.soil.layer);
     EXPECT_EQ(second.soil.crs, first.soil.crs);
@@ -90,6 +98,8 @@ TEST_F(ScenarioSoil, RefusesInOneLineWhatIsNoSoil) {
       {"{slip_stiffness: 8}", "line 3: soil: exactly one of name, cone_index_kpa and friction"},
       {"{name: soft, cone_index_kpa: 450}", "line 3: soil: exactly one of name"},
       {"{name: soft, slip_stiffness: 8}", "line 3: soil.slip_stiffness: only with friction"},
+      {"{name: soft, texture: clay}",
+       "line 3: soil.texture: 'clay': must be fine, medium or coarse"},
       {"{name: soft, lateral_gamma_rad: 0}",
        "soil.lateral_gamma_rad: '0': a number from 0.01 to 1 is needed"},
       {"{cone_index: 450}", "line 3: soil.cone_index: unknown key; did you mean 'cone_index_kpa'?"},
