@@ -4,6 +4,7 @@
 #include <exception>
 #include <filesystem>
 
+#include "apps/command_words.h"
 #include "apps/commands.h"
 #include "apps/interrupt.h"
 #include "apps/terminal_text.h"
@@ -15,22 +16,6 @@ namespace {
 void complain(std::string line) {
   std::replace(line.begin(), line.end(), '\n', ' ');
   fmt::print(stderr, "headland: {}\n", headland::terminal_text(line));
-}
-
-std::vector<std::string> subcommand_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  return names;
-}
-
-// CLI11 calls a mistyped subcommand an unexpected argument; this says which one was meant.
-void check_subcommand(const CLI::App& app, const std::string& option, const char* word) {
-  const std::vector<std::string> known = subcommand_names(app);
-  if (word[0] == '-' || std::find(known.begin(), known.end(), word) != known.end()) return;
-  throw headland::InputError(
-      option, "", word,
-      fmt::format("unknown subcommand; did you mean '{}'? (known: {})",
-                  headland::nearest_name(word, known), fmt::join(known, ", ")));
 }
 
 // An empty name would stand for the current folder, an empty number for none.
@@ -60,17 +45,12 @@ int run(int argc, char** argv) {
   headland::add_list_command(app, exit_code);
   headland::add_vehicle_command(app, exit_code);
   refuse_empty_values(app);
-  if (argc > 1) check_subcommand(app, "", argv[1]);
-  for (const char* group : {"list", "vehicle"}) {
-    if (argc > 2 && argv[1] == std::string(group)) {
-      check_subcommand(*app.get_subcommand(group), group, argv[2]);
-    }
-  }
+  headland::check_words(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    complain(fmt::format("{} (see 'headland --help')", error.what()));
+    complain(fmt::format("{} (see '{}')", error.what(), headland::help_command(app, argc, argv)));
     return headland::kExitBadInput;
   }
   return exit_code;

@@ -14,6 +14,7 @@
 #include "planner/planners.h"
 #include "render/image.h"
 #include "render/vehicle_mesh.h"
+#include "terrains/input_error.h"
 #include "terrains/input_file.h"
 #include "terrains/json_text.h"
 #include "terrains/track.h"
@@ -45,6 +46,17 @@ auto fitted(const std::filesystem::path& file, Make make) {
   }
 }
 
+// What a planner refuses of its request stands in the scenario.
+Plan planned(const PlannerEntry& planner, const Job& job) {
+  try {
+    return planner.plan(plan_request(job.scenario, job.stage));
+  } catch (const InputError& refused) {
+    if (refused.where != "working_width_m") throw;
+    throw InputError(job.scenario.file.string(), "implement.working_width_m", refused.value,
+                     refused.allowed);
+  }
+}
+
 void remove_file(const std::filesystem::path& file) {
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
@@ -56,7 +68,7 @@ PlanResult plan_stage(const Job& job) {
   const PlannerEntry& planner = find_planner(job.scenario.planner.name, job.scenario.file.string());
   const PlanResult result = fitted(job.scenario.file, [&] {
     PlanResult made;
-    made.plan = planner.plan(plan_request(job.scenario, job.stage));
+    made.plan = planned(planner, job);
     made.path = make_path(job.stage.field, job.stage.vehicle, made.plan, job.scenario.path);
     return made;
   });

@@ -148,6 +148,7 @@ Json totals_json(const RunRecord& run) {
   for (const TotalKey& total : kTotals) json[total.key] = run.*total.value;
   json["motor_clipped_s"] = run.peaks.motor_clipped_s;
   json["belly_contacts"] = run.peaks.belly_contacts;
+  json["overrun_in_hole"] = run.peaks.overrun_in_hole;
   return json;
 }
 
@@ -201,6 +202,11 @@ struct Source {
     if (json.is_null()) return std::numeric_limits<double>::quiet_NaN();
     if (json.is_number()) return json.get<double>();
     throw InputError(file.string(), key, json_text(json), "a number is needed");
+  }
+
+  bool flag() const {
+    if (json.is_boolean()) return json.get<bool>();
+    throw InputError(file.string(), key, json_text(json), "true or false is needed");
   }
 
   int count() const {
@@ -263,6 +269,7 @@ RunRecord read_run_totals(const std::filesystem::path& file) {
   for (const TotalKey& total : kTotals) run.*total.value = top.at("run").at(total.key).number();
   run.peaks.motor_clipped_s = top.at("run").at("motor_clipped_s").number();
   run.peaks.belly_contacts = top.at("run").at("belly_contacts").count();
+  run.peaks.overrun_in_hole = top.at("run").at("overrun_in_hole").flag();
   run.energy = read_energy(top.at("energy"));
   for (const PeakKey& entry : kPeaks) {
     const Source source = top.at("peaks").at(entry.key);

@@ -9,6 +9,7 @@
 #include "evaluate/yaml_section.h"
 #include "planner/planners.h"
 #include "terrains/input_error.h"
+#include "terrains/input_file.h"
 #include "vehicle_models/vehicle_loader.h"
 
 namespace headland {
@@ -65,6 +66,7 @@ void require_place(const YamlSection& section, std::string_view needed, const st
 ObstacleSource read_obstacle(const YamlSection& section) {
   refuse_unknown_keys(section, keys_in_section(section.path));
   ObstacleSource obstacle = default_obstacle(read_obstacle_kind(section));
+  obstacle.place = place_of_itself(section);
   if (runs_along_line(obstacle.kind)) {
     require_place(section, "line", "[[x, y], [x, y], ...]", {"at", "radius_m"},
                   "trees, poles and rocks");
@@ -96,6 +98,7 @@ FieldSource read_field_source(const YamlSection& top, const fs::path& folder) {
   field.boundary = read_points(*section, "boundary").value_or(Ring{});
   field.holes = read_point_lists(*section, "holes").value_or(std::vector<Ring>{});
   field.entry = read_point(*section, "entry");
+  field.entry_place = place_of(*section, "entry");
   for (const YamlSection& obstacle :
        read_sections(*section, "obstacles").value_or(std::vector<YamlSection>{})) {
     field.obstacles.push_back(read_obstacle(obstacle));
@@ -227,7 +230,7 @@ void read_verdict(const YamlSection& top, Scenario& scenario) {
   refuse_unknown_keys(*verdict, keys_in_section("verdict"));
   for (const LimitKey& key : limit_keys()) {
     const std::string name(key.path.substr(verdict->path.size() + 1));
-    const auto section = read_section(*verdict, name);
+    const auto section = read_section(*verdict, name, "a section {warn: .., fail: ..}");
     if (!section) continue;
     refuse_unknown_keys(*section, {"warn", "fail"});
     Limit& limit = key.value(scenario);
@@ -242,10 +245,30 @@ void read_verdict(const YamlSection& top, Scenario& scenario) {
   }
 }
 
+// A field or a terrain given in place of the scenario that names it.
+void refuse_binary(const fs::path& file) {
+  if (read_text(file).find('\0') == std::string::npos) return;
+  throw InputError(file.string(), "", "",
+                   "this is a binary file, not a scenario (YAML); name it in one as field.file or "
+                   "terrain.file");
+}
+
+void refuse_geojson(const YamlSection& top) {
+  const YAML::Node mapping = top.node;
+  const bool geojson = mapping["type"].IsDefined() &&
+                       (mapping["features"].IsDefined() || mapping["geometry"].IsDefined() ||
+                        mapping["coordinates"].IsDefined());
+  if (!geojson) return;
+  throw InputError(top.source, "", "",
+                   "this is GeoJSON, not a scenario (YAML); name it in one as field.file");
+}
+
 }  // namespace
 
 Scenario read_scenario(const fs::path& file, std::optional<std::uint64_t> seed) {
+  refuse_binary(file);
   const YamlSection top = read_yaml(file);
+  refuse_geojson(top);
   refuse_unknown_keys(top, keys_in_section(""));
   const fs::path folder = fs::absolute(file).parent_path();
 

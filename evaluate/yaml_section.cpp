@@ -144,10 +144,15 @@ std::string place_of(const YamlSection& section, std::string_view key) {
   return line_of(section.node) + ": " + joined(section.path, key);
 }
 
-std::optional<YamlSection> read_section(const YamlSection& section, std::string_view key) {
+std::string place_of_itself(const YamlSection& section) {
+  return line_of(section.node) + ": " + section.path;
+}
+
+std::optional<YamlSection> read_section(const YamlSection& section, std::string_view key,
+                                        const std::string& wanted) {
   const YAML::Node node = find(section, key);
   if (!node.IsDefined()) return std::nullopt;
-  if (!node.IsMap()) refuse(section, key, node, "a section of keys");
+  if (!node.IsMap()) refuse(section, key, node, wanted);
   return YamlSection{section.source, joined(section.path, key), node};
 }
 

@@ -30,6 +30,9 @@ void refuse_unknown_keys(const YamlSection& section, const std::vector<std::stri
 // "line N: section.key"; the section's own line when the key is absent.
 std::string place_of(const YamlSection& section, std::string_view key);
 
+// "line N: section" of the section itself.
+std::string place_of_itself(const YamlSection& section);
+
 // Numbers in [min, max] and, where `or_zero`, 0, which then stands for a default.
 struct NumberRange {
   double min = 0.0;
@@ -38,7 +41,8 @@ struct NumberRange {
 };
 
 // Values of a key; nullopt when the key is absent. `wanted` is for the message on what is no text.
-std::optional<YamlSection> read_section(const YamlSection& section, std::string_view key);
+std::optional<YamlSection> read_section(const YamlSection& section, std::string_view key,
+                                        const std::string& wanted = "a section of keys");
 std::optional<std::string> read_word(const YamlSection& section, std::string_view key,
                                      const std::string& wanted = "a word");
 std::optional<double> read_number(const YamlSection& section, std::string_view key,

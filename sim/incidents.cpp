@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
 
-std::string at_place(const Eigen::Vector3d& p_WB, double time_s) {
-  return fmt::format("at x {:.1f} m, y {:.1f} m after {:.0f} s", p_WB.x(), p_WB.y(), time_s);
+std::string at_place(const Eigen::Vector3d& p_WB) {
+  return fmt::format("at x {:.1f} m, y {:.1f} m", p_WB.x(), p_WB.y());
 }
 
 bool stuck(const Machine& machine, const StepReport& report, const DriverState& driver,
@@ -36,6 +36,15 @@ std::string why_stuck(const ProgressWatch& watch) {
   return "stuck: no headway along the path";
 }
 
+// A machine that crawls at its limit for most of the way is late for that reason.
+std::string why_late(const RunRecord& record, double time_s) {
+  constexpr double kMostOfTheTime = 0.5;
+  const double share = record.peaks.motor_clipped_s / time_s;
+  if (share < kMostOfTheTime) return "";
+  return fmt::format(", the motor at its limit for {:.0f} % of the time: too steep or too soft",
+                     100.0 * share);
+}
+
 }  // namespace
 
 std::optional<Incident> find_incident(const SimulationSetup& setup, const Machine& machine,
@@ -46,10 +55,10 @@ std::optional<Incident> find_incident(const SimulationSetup& setup, const Machin
   const ChassisState& chassis = report.chassis;
   const Eigen::Vector3d p_WB = origin_of(chassis, machine.mass);
   if (!p_WB.allFinite() || !chassis.v_W.allFinite() || chassis.v_W.norm() > kAbsurdSpeed_mps) {
-    return Incident{Outcome::kDiverged, fmt::format("the motion blew up after {:.0f} s", time_s)};
+    return Incident{Outcome::kDiverged, "the motion blew up"};
   }
   const auto incident = [&](Outcome outcome, const std::string& cause) {
-    return Incident{outcome, cause + " " + at_place(p_WB, time_s)};
+    return Incident{outcome, cause + " " + at_place(p_WB)};
   };
   if (chassis.R_WB(2, 2) < std::cos(kRolledOver_rad)) {
     return incident(Outcome::kRolledOver, "rolled over");
@@ -77,15 +86,20 @@ std::optional<Incident> find_incident(const SimulationSetup& setup, const Machin
     return incident(Outcome::kLeftTerrain, "a wheel ran off the edge of the terrain");
   }
   if (record.peaks.boundary_overrun_m.value > setup.options.max_overrun_m) {
-    return incident(Outcome::kLeftField, fmt::format("{:.1f} m outside the field",
-                                                     record.peaks.boundary_overrun_m.value));
+    const bool in_hole = record.peaks.overrun_in_hole;
+    return incident(in_hole ? Outcome::kEnteredHole : Outcome::kLeftField,
+                    fmt::format("{:.1f} m {}", record.peaks.boundary_overrun_m.value,
+                                in_hole ? "into a hole" : "outside the field"));
   }
   if (state.battery.soc < machine.vehicle.battery.empty_soc) {
     return incident(Outcome::kBatteryEmpty, fmt::format("state of charge below {:.0f} %",
                                                         100.0 * machine.vehicle.battery.empty_soc));
   }
   if (time_s > max_time_s) {
-    return incident(Outcome::kTimedOut, fmt::format("not done within {:.0f} s", max_time_s));
+    Incident late =
+        incident(Outcome::kTimedOut, fmt::format("not done within {:.0f} s", max_time_s));
+    late.detail += why_late(record, time_s);
+    return late;
   }
   if (stuck(machine, report, driver, time_s, watch)) {
     return incident(Outcome::kStuck, why_stuck(watch));

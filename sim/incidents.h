@@ -21,7 +21,7 @@ inline constexpr double kTimeGrace_s = 120.0;
 
 struct Incident {
   Outcome outcome = Outcome::kFinished;
-  std::string detail;  // place and cause in words
+  std::string detail;  // cause and place in words
 };
 
 // When progress along the path was last seen, and what has been seen since.

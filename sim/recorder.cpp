@@ -81,6 +81,9 @@ void check_hull(Recorder& recorder, const StepReport& report, const Place& place
   const Overrun over = overrun(recorder.space, {place.p_WB.head<2>(), place.yaw_pitch_roll.x()});
   // Obstacles are Bullet's: touching one ends the run.
   if (over.limit == Limit::kBoundary || over.limit == Limit::kHole) {
+    if (over.depth_m > peaks.boundary_overrun_m.value) {
+      peaks.overrun_in_hole = over.limit == Limit::kHole;
+    }
     raise_peak(peaks.boundary_overrun_m, over.depth_m, time_s, over.p_W);
   }
   const WorkingLine line = working_line(recorder.machine, report, place);

@@ -14,6 +14,8 @@ std::string_view outcome_name(Outcome outcome) {
       return "jackknifed";
     case Outcome::kLeftField:
       return "left the field";
+    case Outcome::kEnteredHole:
+      return "entered a hole";
     case Outcome::kLeftTerrain:
       return "left the terrain";
     case Outcome::kHitObstacle:

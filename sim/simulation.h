@@ -19,7 +19,7 @@ struct SimulationOptions {
   double record_hz = 10.0;
   double soc_start = 1.0;
   double max_time_s = 0.0;     // 0: four times the time the path should take
-  double max_overrun_m = 5.0;  // the run ends as kLeftField beyond this
+  double max_overrun_m = 5.0;  // the run ends as kLeftField or kEnteredHole beyond
   double footprint_spacing_m = 0.1;
   PositioningOptions positioning;
   double steering_latency_s = 0.0;  // from the driver's decision to the steering's first move

@@ -161,14 +161,16 @@ void check_field(Field& field, const std::string& source) {
   for (std::size_t i = 0; i < field.obstacles.size(); ++i) {
     check_obstacle(field, field.obstacles[i], source, fmt::format("obstacles[{}]", i));
   }
-  if (field.entry_W.has_value()) {
-    require_finite(source, "entry", {*field.entry_W});
-    const double clearance_m = field_clearance_m(field, *field.entry_W);
-    if (clearance_m < -kEntryTolerance_m) {
-      refuse(field, source, "entry", *field.entry_W,
-             fmt::format("lies {:.1f} m outside the field (at most {} m)", -clearance_m,
-                         kEntryTolerance_m));
-    }
+}
+
+void check_entry(const Field& field, const std::string& source, const std::string& where) {
+  if (!field.entry_W) return;
+  require_finite(source, where, {*field.entry_W});
+  const double clearance_m = field_clearance_m(field, *field.entry_W);
+  if (clearance_m < -kEntryTolerance_m) {
+    refuse(field, source, where, *field.entry_W,
+           fmt::format("lies {:.1f} m outside the field (at most {} m)", -clearance_m,
+                       kEntryTolerance_m));
   }
 }
 

@@ -184,11 +184,12 @@ Field read_field(const FieldSource& given, const std::string& source) {
     return local_from_wgs84(field.frame, wgs84_from_crs(point_crs, {point}, source + ": " + where))
         .front();
   };
-  if (given.entry.has_value()) field.entry_W = local(*given.entry, "entry");
+  if (given.entry.has_value()) field.entry_W = local(*given.entry, given.entry_place);
   check_field(field, geometry_source);
+  check_entry(field, source, given.entry_place);
   for (std::size_t i = 0; i < given.obstacles.size(); ++i) {
     ObstacleSource obstacle = given.obstacles[i];
-    const std::string where = fmt::format("obstacles[{}]", i);
+    const std::string where = fmt::format("{}[{}]", obstacle.place, i);
     for (Eigen::Vector2d& point : obstacle.line) point = local(point, where);
     add_obstacle(obstacle, source, where, field);
   }

@@ -16,6 +16,7 @@ struct ObstacleSource {
   std::vector<Eigen::Vector2d> line;  // one point, or at least two
   double radius_m = 0.3;              // half the thickness of walls and fences
   double height_m = 5.0;
+  std::string place = "field.obstacles";  // in the scenario, for messages
 };
 
 // What stands at a point or along a line with nothing else said.
@@ -30,8 +31,9 @@ struct FieldSource {
   std::string crs;
   Ring boundary;
   std::vector<Ring> holes;
-  std::vector<ObstacleSource> obstacles;  // in `crs` (of the file: WGS 84 longitude, latitude)
-  std::optional<Eigen::Vector2d> entry;   // likewise
+  std::vector<ObstacleSource> obstacles;    // in `crs` (of the file: WGS 84 longitude, latitude)
+  std::optional<Eigen::Vector2d> entry;     // likewise
+  std::string entry_place = "field.entry";  // in the scenario, for messages
 };
 
 // Reads a field from anything GDAL's vector drivers read (GeoJSON, GPKG, shapefile, KML, GML), or
@@ -46,8 +48,11 @@ struct FieldSource {
 Field read_field(const FieldSource& field, const std::string& source);
 
 // Establishes Field's invariants on rings already in W: repeated points are merged, a closing
-// point is dropped, rings are oriented. Throws InputError as above.
+// point is dropped, rings are oriented. Throws InputError as above. Not the entry's: see below.
 void check_field(Field& field, const std::string& source);
+
+// Throws InputError unless the entry, if there is one, lies in the field.
+void check_entry(const Field& field, const std::string& source, const std::string& where);
 
 // The same for one obstacle of a field whose rings are established.
 void check_obstacle(const Field& field, const Obstacle& obstacle, const std::string& source,

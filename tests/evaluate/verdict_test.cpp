@@ -146,9 +146,9 @@ TEST(Verdict, SpeaksInSentencesWithPlaceAndTime) {
 
 TEST(Verdict, ARunThatDidNotFinishFailsWhateverItsFigures) {
   for (const Outcome outcome :
-       {Outcome::kStuck, Outcome::kRolledOver, Outcome::kLeftField, Outcome::kLeftTerrain,
-        Outcome::kHitObstacle, Outcome::kBatteryEmpty, Outcome::kTimedOut, Outcome::kDiverged,
-        Outcome::kInterrupted}) {
+       {Outcome::kStuck, Outcome::kRolledOver, Outcome::kLeftField, Outcome::kEnteredHole,
+        Outcome::kLeftTerrain, Outcome::kHitObstacle, Outcome::kBatteryEmpty, Outcome::kTimedOut,
+        Outcome::kDiverged, Outcome::kInterrupted}) {
     JudgedRun run;
     run.record.outcome = outcome;
     run.record.outcome_detail = "no progress for 20 s on a 31 % slope";

@@ -198,6 +198,7 @@ TEST(Simulation, LeavesTheField) {
   const RunRecord run = test::run(test::straight(60.0), transplanter(), test::plane(0.0, 0.0),
                                   test::textbook_soil(), {}, test::open_field(40.0));
   EXPECT_EQ(run.outcome, Outcome::kLeftField);
+  EXPECT_EQ(run.outcome_detail.find("after"), std::string::npos) << "the time is told elsewhere";
   const Vehicle vehicle = transplanter();
   const double front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
   EXPECT_NEAR(run.samples.back().p_WB.x() + front_m, 45.0, 0.3);
@@ -223,6 +224,37 @@ TEST(Simulation, SeesAHoleSmallerThanTheHull) {
   // From the side of the hull to the far side of the hole: half the width and 0.2 m, at most.
   EXPECT_GT(run.peaks.boundary_overrun_m.value, 0.5);
   EXPECT_LT((run.peaks.boundary_overrun_m.p_W - Eigen::Vector2d(20.0, 0.0)).norm(), 0.3);
+}
+
+TEST(Simulation, EntersAHole) {
+  Field field = test::open_field();
+  field.holes = {{{15.0, -20.0}, {15.0, 20.0}, {60.0, 20.0}, {60.0, -20.0}}};
+  const RunRecord run = test::run(test::straight(40.0), transplanter(), test::plane(0.0, 0.0),
+                                  test::textbook_soil(), {}, field);
+  EXPECT_EQ(run.outcome, Outcome::kEnteredHole);
+  EXPECT_EQ(outcome_name(run.outcome), "entered a hole");
+  EXPECT_NE(run.outcome_detail.find("m into a hole at x "), std::string::npos)
+      << run.outcome_detail;
+}
+
+// 250 W crawl up a gentle slope, more slowly than the driver asks for.
+TEST(Simulation, SaysThatTheMotorWasTheReasonForBeingLate) {
+  Vehicle weak = transplanter();
+  weak.motor.max_power_w = 250.0;
+  SimulationOptions options;
+  options.max_time_s = 30.0;
+  const RunRecord run =
+      test::run(test::straight(150.0), weak, test::plane(0.1, 0.0), test::textbook_soil(), options);
+  ASSERT_EQ(run.outcome, Outcome::kTimedOut) << run.outcome_detail;
+  EXPECT_NE(run.outcome_detail.find("the motor at its limit for "), std::string::npos)
+      << run.outcome_detail;
+  EXPECT_NE(run.outcome_detail.find(" % of the time: too steep or too soft"), std::string::npos)
+      << run.outcome_detail;
+  // Negative control: a strong one that has too little time.
+  const RunRecord strong = test::run(test::straight(150.0), transplanter(), test::plane(0.0, 0.0),
+                                     test::textbook_soil(), options);
+  ASSERT_EQ(strong.outcome, Outcome::kTimedOut);
+  EXPECT_EQ(strong.outcome_detail.find("limit"), std::string::npos) << strong.outcome_detail;
 }
 
 TEST(Simulation, LeavesTheTerrain) {

@@ -204,11 +204,11 @@ TEST(InlineField, ObstaclesOutsideOrAbsurdAreRefused) {
   FieldSource source = inline_field(square(0.0, 0.0, 50.0));
   source.obstacles = {{.line = {{70.0, 5.0}}}};
   EXPECT_EQ(line_of(source),
-            "demo.yaml: obstacles[0]: lies outside the boundary at x 70.000 m, y 5.000 m");
+            "demo.yaml: field.obstacles[0]: lies outside the boundary at x 70.000 m, y 5.000 m");
   source.obstacles = {{.line = {{7.0, 5.0}}, .radius_m = -1.0}};
-  EXPECT_EQ(line_of(source), "demo.yaml: obstacles[0].radius_m: '-1': from 0.01 to 50 m");
+  EXPECT_EQ(line_of(source), "demo.yaml: field.obstacles[0].radius_m: '-1': from 0.01 to 50 m");
   source.obstacles = {{.line = {{7.0, 5.0}}, .height_m = 0.0}};
-  EXPECT_EQ(line_of(source), "demo.yaml: obstacles[0].height_m: '0': from 0.01 to 100 m");
+  EXPECT_EQ(line_of(source), "demo.yaml: field.obstacles[0].height_m: '0': from 0.01 to 100 m");
 }
 
 TEST(InlineField, EntryMayBeAtTheGateButNotDownTheRoad) {
@@ -217,7 +217,7 @@ TEST(InlineField, EntryMayBeAtTheGateButNotDownTheRoad) {
   EXPECT_EQ(line_of(source), "accepted");
   source.entry = Eigen::Vector2d(25.0, -30.0);
   EXPECT_EQ(line_of(source),
-            "demo.yaml: entry: lies 30.0 m outside the field (at most 1 m) at x 25.000 m, y "
+            "demo.yaml: field.entry: lies 30.0 m outside the field (at most 1 m) at x 25.000 m, y "
             "-30.000 m");
 }
 
