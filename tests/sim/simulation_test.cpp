@@ -183,7 +183,7 @@ TEST(Simulation, HitsAWallAndPassesAFence) {
   const RunRecord run =
       test::run(test::straight(20.0), vehicle, flat, test::textbook_soil(), {}, field);
   EXPECT_EQ(run.outcome, Outcome::kHitObstacle);
-  EXPECT_NE(run.outcome_detail.find("hit the wall at x 12.0 m, y 0.0 m"), std::string::npos)
+  EXPECT_NE(run.outcome_detail.find("hit the wall at x 12.0 m, y "), std::string::npos)
       << run.outcome_detail;
   const double front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
   EXPECT_NEAR(run.samples.back().p_WB.x() + front_m, 11.85, 0.15);  // one sample's travel
