@@ -163,6 +163,9 @@ Headland make_headland(const PlanRequest& request, int rounds) {
   headland.inner = buffered(field, -headland.width_m, Join::kRound);
   std::vector<PolygonSet> inner{headland.inner};
   PolygonSet inside_before;
+  // What rounds leave in their corners gets short swaths of its own, where there is no room to come
+  // round to without reversing.
+  const bool corners_are_worked = !request.forward_only;
   // What rounds leave is measured on fewer points than they are driven on.
   const auto beside = [&](const PolygonSet& ground, double distance_m) {
     return simplified(buffered(ground, distance_m, Join::kRound), kOutlineTolerance_m);
@@ -178,13 +181,15 @@ Headland make_headland(const PlanRequest& request, int rounds) {
     const Round made = round_of(buffered(field, -distance_m, join), round,
                                 {radius_m, corner_radius_m, field, first_m}, request);
     headland.rings.insert(headland.rings.end(), made.rings.begin(), made.rings.end());
-    if (round > 0) {
+    if (round > 0 && corners_are_worked) {
       inner.push_back(
           worth_working(difference(inside_before, beside(made.ground, width_m / 2.0)), width_m));
     }
     inside_before = beside(made.ground, -width_m / 2.0);
   }
-  inner.push_back(worth_working(difference(inside_before, headland.inner), width_m));
+  if (corners_are_worked) {
+    inner.push_back(worth_working(difference(inside_before, headland.inner), width_m));
+  }
   headland.inner = united(inner);
   if (headland.rings.empty()) {
     const Disc widest = widest_disc(field);
