@@ -43,6 +43,10 @@ struct CommonOptions {
 
 // Declares the shared options on `command`: the seed, --allow-overrun, --json, --quiet.
 void add_scenario_options(CLI::App& command, CommonOptions& options);
+// What is wrong with a text that is to be a whole number, as a check of CLI11's, which takes -1 for
+// the largest number and cuts off what is too large; empty when nothing is.
+std::string whole_number_fault(const std::string& given);
+
 void add_record_option(CLI::App& command, CommonOptions& options);
 void add_size_option(CLI::App& command, CommonOptions& options);
 

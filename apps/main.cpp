@@ -21,6 +21,7 @@ void complain(std::string line) {
 // An empty name would stand for the current folder, an empty number for none.
 void refuse_empty_values(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands({})) {
+    refuse_empty_values(*command);
     for (CLI::Option* option : command->get_options()) {
       if (option->get_type_size() == 0) continue;
       option->check([](const std::string& given) {

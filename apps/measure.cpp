@@ -28,6 +28,8 @@ struct MeasureCommand {
   bool quiet = false;
 };
 
+constexpr const char* kFiles[] = {"costs.yaml", "costs.csv", "costs.svg", "costs.png"};
+
 void check_numbers(const MeasureOptions& options) {
   const auto check = [](const char* option, double value, double min, double max) {
     if (value >= min && value <= max) return;
@@ -119,8 +121,10 @@ int measure(MeasureCommand& command) {
   MeasureOptions& options = command.options;
   check_numbers(options);
   check_output_folder(command.folder);
+  for (const char* name : kFiles) require_replaceable(std::filesystem::path(command.folder) / name);
   const Soil& soil = soil_named(command.soil, "--soil", "");
   const Vehicle vehicle = load_vehicle(command.vehicle);
+  require_gnuplot();
   ProgressLine line = start_progress(command.quiet);
   options.progress = [&line](double done) {
     show_share(line, "measuring", done);
@@ -132,11 +136,10 @@ int measure(MeasureCommand& command) {
   const std::string script = cost_chart_script(table);
   write_together(
       command.folder,
-      {{"costs.yaml", cost_table_yaml(table)},
-       {"costs.csv", cost_table_csv(table)},
-       {"costs.svg", chart_of(script, ChartFormat::kSvg, kCostChartWidth_px, kCostChartHeight_px)},
-       {"costs.png",
-        chart_of(script, ChartFormat::kPng, kCostChartWidth_px, kCostChartHeight_px)}});
+      {{kFiles[0], cost_table_yaml(table)},
+       {kFiles[1], cost_table_csv(table)},
+       {kFiles[2], chart_of(script, ChartFormat::kSvg, kCostChartWidth_px, kCostChartHeight_px)},
+       {kFiles[3], chart_of(script, ChartFormat::kPng, kCostChartWidth_px, kCostChartHeight_px)}});
   if (!command.quiet) {
     fmt::print("{}\ntable and chart are in {}\n", cost_summary(table),
                terminal_text(command.folder));
@@ -160,7 +163,9 @@ void add_measure_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--repeats", options.repeats, "Drives of each manoeuvre, each over other relief")
       ->capture_default_str();
-  command->add_option("--seed", options.seed, "Seed of the micro-relief")->capture_default_str();
+  command->add_option("--seed", options.seed, "Seed of the micro-relief")
+      ->capture_default_str()
+      ->check(whole_number_fault);
   command
       ->add_option("--relief-rms", options.micro_relief.rms_m,
                    "Height of the micro-relief, rms [m]")

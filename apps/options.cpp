@@ -20,15 +20,14 @@ constexpr int kLeastWidth = 640;
 constexpr int kLeastHeight = 400;
 constexpr int kMostPixels = 8192;
 
-// CLI11 takes -1 for the largest number and cuts off what is too large.
+}  // namespace
+
 std::string whole_number_fault(const std::string& given) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), value);
   if (error == std::errc() && end == given.data() + given.size()) return "";
   return "'" + given + "': a whole number from 0 to 18446744073709551615 is needed";
 }
-
-}  // namespace
 
 void add_scenario_options(CLI::App& command, CommonOptions& options) {
   command

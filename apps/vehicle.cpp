@@ -154,7 +154,20 @@ Figures figures_of(const Vehicle& vehicle, const Soil& soil) {
   return figures;
 }
 
+// The file's name is what tells programs its format.
+void require_extension(const char* option, const std::filesystem::path& file,
+                       const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), file.extension().string()) != known.end()) return;
+  throw InputError(option, "", file.string(),
+                   fmt::format("a file name that ends in {}", fmt::join(known, " or ")));
+}
+
 int check(const CheckOptions& options) {
+  if (!options.picture.empty()) require_extension("-o", options.picture, {".png"});
+  if (!options.charts.empty()) require_extension("--charts", options.charts, {".svg", ".png"});
+  if (!options.charts.empty() && options.charts == options.picture) {
+    throw InputError("--charts", "", options.charts, "another file than the picture's");
+  }
   const Soil& soil = soil_named(options.soil, "--soil", "");
   const PictureSize size = picture_size(options.common);
   const Vehicle vehicle = load_vehicle(options.vehicle);

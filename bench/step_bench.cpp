@@ -62,14 +62,15 @@ std::vector<bench::Figure> measure() {
                            };
                          }});
   contestants.push_back(
-      {"headland: wheels, soil, motor, battery, ledger", [&] {
+      {"headland: wheels, soil, motor, battery, draft, ledger", [&] {
          auto world = std::make_shared<BulletWorld>(field, terrain, vehicle);
          auto state = std::make_shared<MachineState>();
          world->set_state(place_on_ground(machine, {0.0, 0.0}, 0.0));
          DriverCommand command;
          command.wheel_torque_nm = kForce_n * vehicle.rear.radius_m;
+         command.working = true;
          return [&machine, command, world, state] {
-           step_machine(machine, command, {kSteer_rad, 0.0}, 0.0, kStep_s, *world, *state);
+           step_machine(machine, command, {kSteer_rad, 0.0}, 1.0, kStep_s, *world, *state);
          };
        }});
   contestants.push_back({"btRaycastVehicle", [&] {

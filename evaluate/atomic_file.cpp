@@ -101,7 +101,7 @@ void write_together(const fs::path& folder, const std::vector<FileText>& files) 
     }
   };
   try {
-    for (const FileText& file : files) require_no_folder(folder / file.name);
+    for (const FileText& file : files) require_replaceable(folder / file.name);
     for (const FileText& file : files) write_partial(folder, file);
     for (const FileText& file : files) replaced.push_back(replace(folder, file));
   } catch (const InputError&) {
@@ -113,10 +113,14 @@ void write_together(const fs::path& folder, const std::vector<FileText>& files) 
   remove_left_overs();
 }
 
-void require_no_folder(const fs::path& file) {
+void require_replaceable(const fs::path& file) {
   std::error_code ignored;
-  if (fs::symlink_status(file, ignored).type() != fs::file_type::directory) return;
-  throw InputError(file.string(), "", "", "cannot be written: a folder of that name is in the way");
+  const fs::file_type there = fs::status(file, ignored).type();
+  if (there == fs::file_type::not_found || there == fs::file_type::regular) return;
+  const bool folder = there == fs::file_type::directory;
+  throw InputError(file.string(), "", "",
+                   fmt::format("cannot be written: {} of that name is in the way",
+                               folder ? "a folder" : "something that is no plain file"));
 }
 
 void check_output_folder(const fs::path& folder) {

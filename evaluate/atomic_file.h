@@ -18,8 +18,9 @@ struct FileText {
 // the file and the system's reason (no space left, permission denied, ...).
 void write_together(const std::filesystem::path& folder, const std::vector<FileText>& files);
 
-// Throws InputError when a folder stands where `file` is to be written.
-void require_no_folder(const std::filesystem::path& file);
+// Throws InputError when anything but a plain file (a folder, a device, a pipe) stands where `file`
+// is to be written.
+void require_replaceable(const std::filesystem::path& file);
 
 // Throws InputError when results could not be written to `folder` (which need not exist yet): some
 // part of its path is a file, or the nearest existing folder may not be written to.

@@ -33,8 +33,8 @@ struct MeasuredCost {
   Estimate slip;        // mean over the distance, worst driven wheel, 0..1
   Estimate scuffed_m2;  // tread width times the way it slid
   Estimate peak_power_w;
-  // Against steady straight driving of the same distance with the implement raised (straights, stop
-  // and start: in the same state) at the work speed on the flat.
+  // Against steady driving of the same distance on the flat at the work speed: straights in the
+  // same state, all else with the implement raised.
   Estimate marginal_energy_j;
   Estimate marginal_time_s;
   std::array<double, kEnergyCauses> cause_j{};  // mean; adds up to energy_j

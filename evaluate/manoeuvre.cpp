@@ -14,7 +14,8 @@ namespace {
 constexpr double kQuarter_rad = 0.5 * std::numbers::pi;
 constexpr double kStraight_m = 30.0;  // measured at constant speed
 constexpr double kRaised_m = 15.0;    // with the implement up, in its cycle
-constexpr double kSettle_s = 4.0;     // after a change of speed, until driving is steady
+constexpr double kLowered_m = 0.01;
+constexpr double kSettle_s = 4.0;  // after a change of speed, until driving is steady
 constexpr double kCourseSpacing_m = 0.1;
 constexpr double kSame_m = 0.05;  // row spacings closer than this are one
 
@@ -134,7 +135,10 @@ Course course_of(const Manoeuvre& manoeuvre, const Vehicle& vehicle) {
   Course course;
   double& straight_m = down ? course.down_m : course.raised_m;
   if (manoeuvre.kind == ManoeuvreKind::kStopStart) {
+    // The implement is lowered at standstill before the first of these centimetres.
+    drive_straight(course.path, down, kLowered_m);
     drive_straight(course.path, down, 2.0 * settle_m);
+    course.first_segment = course.last_segment = 1;
     straight_m = 2.0 * settle_m;
     return course;
   }

@@ -1,6 +1,7 @@
 #include "evaluate/measure.h"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -235,6 +236,9 @@ std::optional<std::vector<Repeats>> drive_all(const std::vector<Manoeuvre>& list
   std::mutex mutex;
   std::size_t done = 0;
   const std::size_t all = list.size() * repeats;
+  // More threads than processors only when asked for.
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(options.jobs));
   tbb::task_arena arena(options.jobs);
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, all, [&](std::size_t i) {
@@ -271,12 +275,14 @@ CostTable measure_costs(const Vehicle& vehicle, const Soil& soil, const MeasureO
 
   const std::vector<Manoeuvre> list = standard_manoeuvres(vehicle, options.ranges);
   std::vector<Course> courses;
+  courses.reserve(list.size());
   for (const Manoeuvre& manoeuvre : list) courses.push_back(course_of(manoeuvre, vehicle));
   const auto driven = drive_all(list, courses, vehicle, uniform_soil(soil), options);
   if (!driven) return table;
 
   const Baselines steady = find_baselines(list, *driven, vehicle, soil);
-  const Window& raised = steady.raised->front();
+  Window raised;
+  for (const Window& window : *steady.raised) add_times(raised, window, 1.0);
   table.formula_turn_power_w = options.formula_turn_power_w > 0.0
                                    ? options.formula_turn_power_w
                                    : raised.energy.battery_j / raised.time_s;

@@ -1,8 +1,8 @@
 #include "render/gnuplot.h"
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -36,9 +36,23 @@ struct ScratchFolder {
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 };
 
-constexpr int kCommandNotFound = 127;
+// While one lives, writing to a program that has ended fails instead of ending this one.
+struct BrokenPipesIgnored {
+  void (*before)(int) = std::signal(SIGPIPE, SIG_IGN);
+
+  BrokenPipesIgnored() = default;
+  ~BrokenPipesIgnored() { std::signal(SIGPIPE, before); }
+  BrokenPipesIgnored(const BrokenPipesIgnored&) = delete;
+  BrokenPipesIgnored& operator=(const BrokenPipesIgnored&) = delete;
+};
 
 }  // namespace
+
+void require_gnuplot() {
+  if (std::system("gnuplot --version >/dev/null 2>&1") == 0) return;
+  throw InputError("gnuplot", "", "",
+                   "is not installed; it draws the charts (Debian: gnuplot-nox)");
+}
 
 std::string gnuplot_text(std::string_view text) {
   std::string out = "'";
@@ -50,6 +64,7 @@ std::string gnuplot_text(std::string_view text) {
 }
 
 std::string chart_of(const std::string& script, ChartFormat format, int width_px, int height_px) {
+  require_gnuplot();
   const ScratchFolder scratch;
   const fs::path file = scratch.path / "chart";
   const std::string terminal =
@@ -60,15 +75,12 @@ std::string chart_of(const std::string& script, ChartFormat format, int width_px
                         height_px);
   const std::string all = fmt::format("set terminal {} noenhanced\nset output {}\n{}\nset output\n",
                                       terminal, gnuplot_text(file.string()), script);
+  const BrokenPipesIgnored ignored;
   // A command without any word of the user's.
   FILE* gnuplot = ::popen("gnuplot 2>/dev/null", "w");
   if (gnuplot == nullptr) throw InputError("gnuplot", "", "", "cannot be started");
   std::fwrite(all.data(), 1, all.size(), gnuplot);
   const int status = ::pclose(gnuplot);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == kCommandNotFound) {
-    throw InputError("gnuplot", "", "",
-                     "is not installed; it draws the charts (Debian: gnuplot-nox)");
-  }
   std::ifstream in(file, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (status != 0 || bytes.empty()) {

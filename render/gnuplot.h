@@ -7,6 +7,9 @@ namespace headland {
 
 enum class ChartFormat { kSvg, kPng };
 
+// Throws InputError when gnuplot is not installed: to be asked before long work whose chart it is.
+void require_gnuplot();
+
 // The chart that a gnuplot script draws, as a file's bytes. Terminal, size and output are set for
 // the script, which brings its data as data blocks. Throws InputError when gnuplot is not
 // installed or refuses the script.

@@ -158,6 +158,11 @@ DriverCommand drive(const Route& route, const Vehicle& vehicle, const DriverView
       const double rate_rad_per_s =
           std::clamp(kPivotGain_per_s * to_turn_rad, -most_rad_per_s, most_rad_per_s);
       command.yaw_torque_nm = yaw_torque(vehicle, view, rate_rad_per_s, dt_s, state);
+      // It stays about where it is: held against the grade and its speed, not against what it has
+      // drifted, which would take the torque that turns it.
+      command.wheel_torque_nm =
+          mass_kg * vehicle.rear.radius_m *
+          (kGravity_mps2 * std::sin(view.pitch_rad) - kSpeedGain_per_s * view.speed_mps);
       return command;
     }
     const bool lowering = works_at(route, state.place.index) && state.lowered < 1.0;

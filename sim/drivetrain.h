@@ -58,7 +58,9 @@ PerMotor<double> split_torque(const Vehicle& vehicle, const MotorLayout& layout,
 void limit_slip(const Vehicle& vehicle, const MotorLayout& layout,
                 const PerWheel<WheelDefinition>& wheels, const PerWheel<double>& rim_mps,
                 const PerWheel<double>& hub_mps, PerMotor<double>& wheel_torque_nm);
-inline constexpr double kFreeSlip = 0.15;  // more than any soil's best pull needs but sand's
+// Where tyres pull efficiently. Loose soil pulls up to a third more at slips of 0.6, at which it is
+// dug away: figures by grip (vehicle_figures.h), which take the best pull, promise that much more.
+inline constexpr double kFreeSlip = 0.15;
 inline constexpr double kFreeSlipSpeed_mps = 0.1;  // and at any speed
 inline constexpr double kSlipGain_per_s = 30.0;    // speed loop: wheel inertia times this
 

@@ -252,6 +252,12 @@ StepReport step_machine(const Machine& machine, const DriverCommand& command, St
   for (std::size_t i = 0; i < kWheels; ++i) {
     report.scuffing_m2_per_s += machine.wheels[i].tyre.width_m * tyres.sliding_mps[i];
   }
+  if (trailed) {
+    for (std::size_t i = 0; i < kTrailerWheels; ++i) {
+      report.scuffing_m2_per_s +=
+          machine.trailer->wheels[i].tyre.width_m * trailed->tyres.sliding_mps[i];
+    }
+  }
   report.clipped = drivetrain.clipped;
   return report;
 }

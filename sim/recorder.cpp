@@ -76,16 +76,35 @@ WorkingLine working_line(const Machine& machine, const StepReport& report, const
   return {axle.at(x_m, reach_m), axle.at(x_m, -reach_m)};
 }
 
+void raise_overrun(Peaks& peaks, double depth_m, bool in_hole, double time_s,
+                   const Eigen::Vector2d& p_W) {
+  if (depth_m > peaks.boundary_overrun_m.value) peaks.overrun_in_hole = in_hole;
+  raise_peak(peaks.boundary_overrun_m, depth_m, time_s, p_W);
+}
+
+// A trailed implement's wheels may be where neither the vehicle nor the tool is.
+void check_trailer(Recorder& recorder, const StepReport& report, double time_s) {
+  const Trailer& trailer = *recorder.machine.trailer;
+  const Place axle = place_of(report.trailer, trailer.mass);
+  for (const WheelDefinition& wheel : trailer.own_wheels()) {
+    const Eigen::Vector3d hub_T = wheel.hub_C + trailer.mass.com_B;
+    const double outer_m = hub_T.y() + std::copysign(0.5 * wheel.tyre.width_m, hub_T.y());
+    const Eigen::Vector2d p_W = axle.at(hub_T.x(), outer_m);
+    const double depth_m = -field_clearance_m(recorder.field, p_W);
+    if (depth_m <= 0.0) continue;
+    raise_overrun(recorder.record.peaks, depth_m, inside_ring(recorder.field.boundary, p_W), time_s,
+                  p_W);
+  }
+}
+
 void check_hull(Recorder& recorder, const StepReport& report, const Place& place, double time_s) {
   Peaks& peaks = recorder.record.peaks;
   const Overrun over = overrun(recorder.space, {place.p_WB.head<2>(), place.yaw_pitch_roll.x()});
   // Obstacles are Bullet's: touching one ends the run.
   if (over.limit == Limit::kBoundary || over.limit == Limit::kHole) {
-    if (over.depth_m > peaks.boundary_overrun_m.value) {
-      peaks.overrun_in_hole = over.limit == Limit::kHole;
-    }
-    raise_peak(peaks.boundary_overrun_m, over.depth_m, time_s, over.p_W);
+    raise_overrun(peaks, over.depth_m, over.limit == Limit::kHole, time_s, over.p_W);
   }
+  if (recorder.machine.trailer) check_trailer(recorder, report, time_s);
   const WorkingLine line = working_line(recorder.machine, report, place);
   for (const Eigen::Vector2d& end : {line.left_W, line.right_W}) {
     if (disc_fits(recorder.space, end, 0.0)) continue;

@@ -153,8 +153,9 @@ TrailerStep pull_trailer(const Trailer& trailer, const Implement& implement,
   load.add(-step.pin.force_W, step.pin.trailer_arm);
   step.draft_arm = state.R_WB * trailer.tool_C;
   const Eigen::Vector3d x_axis = state.R_WB.col(0);
-  step.draft_n = draft_now_n(implement, soil_at(soil, (state.p_WC + step.draft_arm).head<2>()),
-                             x_axis.dot(state.v_W), lowered);
+  step.draft_n =
+      draft_now_n(implement, soil_at(soil, (state.p_WC + step.draft_arm).head<2>()),
+                  x_axis.dot(point_velocity(state.v_W, state.omega_W, step.draft_arm)), lowered);
   step.draft_W = -step.draft_n * x_axis;
   load.add(step.draft_W, step.draft_arm);
 

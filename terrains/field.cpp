@@ -28,14 +28,6 @@ double squared_distance_m2(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
   return (to_p - along * edge).squaredNorm();
 }
 
-bool inside_ring(const Ring& ring, const Eigen::Vector2d& p_W) {
-  bool inside = false;
-  for (std::size_t i = 0, before = ring.size() - 1; i < ring.size(); before = i++) {
-    if (crosses_ray(ring[before], ring[i], p_W)) inside = !inside;
-  }
-  return inside;
-}
-
 RingView view_ring(const Ring& ring, const Eigen::Vector2d& p_W) {
   RingView view;
   for (std::size_t i = 0, before = ring.size() - 1; i < ring.size(); before = i++) {
@@ -63,6 +55,14 @@ double field_area_m2(const Field& field) {
   double area_m2 = std::abs(signed_area_m2(field.boundary));
   for (const Ring& hole : field.holes) area_m2 -= std::abs(signed_area_m2(hole));
   return area_m2;
+}
+
+bool inside_ring(const Ring& ring, const Eigen::Vector2d& p_W) {
+  bool inside = false;
+  for (std::size_t i = 0, before = ring.size() - 1; i < ring.size(); before = i++) {
+    if (crosses_ray(ring[before], ring[i], p_W)) inside = !inside;
+  }
+  return inside;
 }
 
 bool inside_field(const Field& field, const Eigen::Vector2d& p_W) {

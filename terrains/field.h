@@ -46,6 +46,9 @@ double signed_area_m2(const Ring& ring);
 // Boundary minus holes [m2]; obstacles are not subtracted.
 double field_area_m2(const Field& field);
 
+// Whether p_W is inside a ring.
+bool inside_ring(const Ring& ring, const Eigen::Vector2d& p_W);
+
 // Whether p_W is inside the boundary and outside every hole.
 bool inside_field(const Field& field, const Eigen::Vector2d& p_W);
 

@@ -158,6 +158,15 @@ void check_field(Field& field, const std::string& source) {
     if (signed_area_m2(hole) > 0.0) std::ranges::reverse(hole);
   }
   check_holes(field, source);
+  const auto pieces = std::ranges::count_if(field.obstacles, [](const Obstacle& obstacle) {
+    return runs_along_line(obstacle.kind);
+  });
+  if (pieces > kMostWallPieces) {
+    throw InputError(source, "obstacles", fmt::format("{}", pieces),
+                     fmt::format("at most {} straight pieces of walls and fences; leave out points "
+                                 "that hardly bend them",
+                                 kMostWallPieces));
+  }
   for (std::size_t i = 0; i < field.obstacles.size(); ++i) {
     check_obstacle(field, field.obstacles[i], source, fmt::format("obstacles[{}]", i));
   }

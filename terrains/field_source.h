@@ -73,5 +73,6 @@ inline constexpr double kMaxThickness_m = 10.0;
 inline constexpr double kMaxObstacleHeight_m = 100.0;
 // Walls and fences may run this far outside the boundary.
 inline constexpr double kObstacleReach_m = 100.0;
+inline constexpr int kMostWallPieces = 1000;  // planning looks at each
 
 }  // namespace headland

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "terrains/field_source.h"
 #include "terrains/given_track.h"
@@ -135,11 +136,14 @@ Track sections_joined(const GivenTrack& given, const std::vector<Eigen::Vector2d
     }
     section_W.clear();
   };
+  bool after_pause = false;  // also of a point at the place of the last one, which is left out
   for (std::size_t i = 0; i < points_W.size(); ++i) {
+    after_pause = after_pause || given.points[i].after_pause;
     if (!section_W.empty() && (points_W[i] - section_W.back()).norm() <= kSamePlace_m) continue;
+    const bool resumes = std::exchange(after_pause, false);
     if (!given.points[i].joined) {
       finish_section();
-    } else if (given.points[i].after_pause && !section_W.empty()) {
+    } else if (resumes && !section_W.empty()) {
       ++track.pauses.count;
       if (resumed_elsewhere(section_W, given, points_W, i, track.pauses.longest_step_m)) {
         ++track.pauses.breaks;

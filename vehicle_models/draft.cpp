@@ -16,7 +16,7 @@ std::span<const D497Tool> d497_tools() {
       {"chisel_plough", true, 91.0, 5.4, 0.0, {1.0, 0.85, 0.65}},
       {"mouldboard_plough", false, 652.0, 0.0, 5.1, {1.0, 0.70, 0.45}},
       {"subsoiler", true, 226.0, 0.0, 1.8, {1.0, 0.70, 0.45}},
-      {"row_planter", true, 500.0, 0.0, 0.0, {1.0, 1.0, 1.0}},
+      {"row_planter", true, 500.0, 0.0, 0.0, {1.0, 1.0, 1.0}, true},
   };
   return kTools;
 }

@@ -19,6 +19,7 @@ struct D497Tool {
   double b = 0.0;
   double c = 0.0;
   std::array<double, kSoilTextures> texture_factor{1.0, 1.0, 1.0};
+  bool at_any_depth = false;  // T is 1, whatever the depth
 };
 std::span<const D497Tool> d497_tools();
 

@@ -169,6 +169,12 @@ void check_draft(const YAML::Node& root, const Place& top) {
     }
   }
   const auto row = std::ranges::find(d497_tools(), name.Scalar(), &D497Tool::name);
+  const YAML::Node depth = law["depth_cm"];
+  if (row->at_any_depth && depth["value"].IsDefined() && depth["value"].Scalar() != "1") {
+    place.child("depth_cm")
+        .refuse(depth, depth["value"].Scalar(),
+                fmt::format("1: {} draws the same at any depth (T = 1 in D497)", row->name));
+  }
   if (row->per_tool && !tools.IsDefined()) {
     place.child("tools").refuse(law, "", fmt::format("missing key: {} draws per tool", row->name));
   }

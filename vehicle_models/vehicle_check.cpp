@@ -179,6 +179,10 @@ void check_drive(const Vehicle& vehicle, const std::string& source) {
                        fastest_mps, vehicle.drivetrain.gear_ratio * top_mps / fastest_mps));
   }
   const Implement& implement = vehicle.implement;
+  if (implement.lift_time_s <= 0.0 && implement.lift_energy_j > 0.0) {
+    refuse(source, "implement.lift_time_s", implement.lift_time_s,
+           fmt::format("above 0, to lift with {:g} J", implement.lift_energy_j));
+  }
   const double pull_n = draft_n(implement, SoilTexture::kMedium, driver.work_speed_mps);
   const double force_n = drive_force_n(vehicle, driver.work_speed_mps);
   if (pull_n >= force_n) {

@@ -1,5 +1,6 @@
 // headland vehicle check, and vehicles that are not driven.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
 
@@ -57,6 +58,26 @@ TEST_F(VehicleCommand, ChartsIt) {
   }
 }
 
+TEST_F(VehicleCommand, ReplacesPlainFilesOnly) {
+  const std::filesystem::path pipe = folder_ / "pipe.png";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const CommandResult result = headland("vehicle check transplanter -o pipe.png --size 640x400");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("something that is no plain file"));
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
+TEST_F(VehicleCommand, SaysThatGnuplotIsMissingBeforeAnyWork) {
+  for (const char* call : {"vehicle check transplanter --charts charts.svg",
+                           "measure --vehicle transplanter --repeats 1000 -o costs"}) {
+    const CommandResult result = headland(call, "env PATH=/nowhere");
+    EXPECT_EQ(result.exit_code, 2) << call;
+    EXPECT_THAT(result.err, HasSubstr("gnuplot: is not installed"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "charts.svg"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "costs"));
+  }
+}
+
 TEST_F(VehicleCommand, TakesAFolderWithABrokenMeshAsAPlainBoxAndSaysSo) {
   std::filesystem::copy(kVehicles / "transplanter", folder_ / "mine",
                         std::filesystem::copy_options::recursive);
@@ -82,6 +103,9 @@ const BadCall kBadCalls[] = {
     {"UnknownSubcommand", "vehicle chek transplanter", "did you mean 'check'?"},
     {"FolderWithoutVehicle", "vehicle check .", "vehicle.urdf"},
     {"PictureInAFile", "vehicle check transplanter -o tiny.yaml/x.png --size 640x640", "tiny.yaml"},
+    {"ChartsOfNoFormat", "vehicle check transplanter --charts x.pdf", ".svg or .png"},
+    {"PictureOfNoFormat", "vehicle check transplanter -o x.jpg", ".png"},
+    {"EmptyName", "vehicle check transplanter --charts ''", "the value is empty"},
     {"TooSmallPicture", "vehicle check transplanter -o x.png --size 20x20", "--size"},
 };
 

@@ -66,11 +66,9 @@ TEST_F(Measure, EveryManoeuvreIsDrivenAndItsCausesAddUp) {
   }
 }
 
-// On textbook ground the climb's force is m g sin, its rolling m g Crr cos: between 10 % up and 10
-// % down the wheels' work differs by 2 m g sin a metre.
+// On textbook ground the climb's force is m g sin, its rolling resistance m g Crr cos.
 TEST_F(Measure, SlopesCostTheirHeight) {
   const MeasuredCost& up = cost_with(*table_, ManoeuvreKind::kStraight, false, 0.1);
-  const double slope_rad = std::atan(0.1);
   const double grade_j = up.cause_j[static_cast<std::size_t>(EnergyCause::kGrade)];
   const double rise_m = up.distance_m.mean * 0.1;
   EXPECT_NEAR(grade_j, table_->mass_kg * kGravity_mps2 * rise_m, 0.005 * grade_j);
@@ -79,9 +77,11 @@ TEST_F(Measure, SlopesCostTheirHeight) {
   EXPECT_NEAR(rolling_j, 0.05 * table_->mass_kg * kGravity_mps2 * up.distance_m.mean,
               0.02 * rolling_j);
   EXPECT_GT(up.marginal_energy_j.mean, grade_j);
-  EXPECT_LT(cost_with(*table_, ManoeuvreKind::kStraight, false, -0.1).energy_j.mean,
+  const MeasuredCost& down = cost_with(*table_, ManoeuvreKind::kStraight, false, -0.1);
+  EXPECT_NEAR(down.cause_j[static_cast<std::size_t>(EnergyCause::kGrade)], -grade_j,
+              0.005 * grade_j);
+  EXPECT_LT(down.energy_j.mean,
             cost_with(*table_, ManoeuvreKind::kStraight, false, 0.0).energy_j.mean);
-  EXPECT_GT(std::cos(slope_rad), 0.99);
 }
 
 TEST_F(Measure, SteadyDrivingOnTheFlatIsTheZeroOfMargins) {
@@ -119,13 +119,16 @@ TEST_F(Measure, TurnsTakeTheirWayAndMoreThanStraightDriving) {
 }
 
 TEST_F(Measure, StopsAndImplementCyclesCostWhatTheyDo) {
-  const MeasuredCost& stop = cost_with(*table_, ManoeuvreKind::kStopStart, false);
-  EXPECT_NEAR(stop.distance_m.mean, 0.0, 0.03);  // the brakes are set 1 cm before the end
-  EXPECT_GT(stop.energy_j.mean, 0.0);
   const double v = table_->work_speed_mps;
   const double a = load_vehicle("transplanter").driver.max_acceleration_mps2;
-  // v / a is lost once speeding up and once slowing down, half of each being driven.
-  EXPECT_NEAR(stop.time_s.mean, v / a, 1.5);
+  for (const bool down : {true, false}) {
+    const MeasuredCost& stop = cost_with(*table_, ManoeuvreKind::kStopStart, down);
+    EXPECT_NEAR(stop.distance_m.mean, 0.0, 0.03);  // the brakes are set 1 cm before the end
+    EXPECT_GT(stop.energy_j.mean, 0.0);
+    // v / a is lost, half of it speeding up and half slowing down. The tyres' give and the creep to
+    // the end take some tenths of a second more; a wait for the implement would take 1.5 s.
+    EXPECT_NEAR(stop.time_s.mean, v / a, 0.7) << down;
+  }
   const MeasuredCost& cycle = cost_with(*table_, ManoeuvreKind::kImplementCycle, true);
   const Implement implement = load_vehicle("transplanter").implement;
   // The implement is down this much before its segment begins.
@@ -144,7 +147,10 @@ TEST_F(Measure, FormulaIsThePapersForTheMassAndSlope) {
   EXPECT_NEAR(up.formula_j / up.distance_m.mean, weight_n * (0.25 * cosine * cosine + 0.1), 1e-6);
   EXPECT_NEAR(up.formula_as_printed_j / up.distance_m.mean,
               weight_n * (0.25 * cosine * cosine + 0.1 * std::sin(std::atan(0.1))), 1e-6);
-  EXPECT_EQ(cost_with(*table_, ManoeuvreKind::kStraight, true, -0.1).formula_j > 0.0, true);
+  // The paper's height differences have no sign.
+  const MeasuredCost& downhill = cost_with(*table_, ManoeuvreKind::kStraight, true, -0.1);
+  EXPECT_NEAR(downhill.formula_j / downhill.distance_m.mean, up.formula_j / up.distance_m.mean,
+              1e-6);
 }
 
 TEST_F(Measure, ReadsWhatItWrites) {
@@ -197,8 +203,11 @@ TEST(MeasureCosts, PivotsASkidSteeredVehicle) {
   const CostTable table = measure_costs(load_vehicle("skid_steer_robot"), kTextbookGround, quick());
   const MeasuredCost& pivot = cost_with(table, ManoeuvreKind::kPivotTurn, true, 0.0, 2.0);
   ASSERT_EQ(pivot.outcome, Outcome::kFinished) << pivot.outcome_detail;
-  const MeasuredCost& omega = cost_with(table, ManoeuvreKind::kUTurn, true, 0.0, 6.0);
-  EXPECT_LT(pivot.distance_m.mean, omega.distance_m.mean);
+  const MeasuredCost& u_turn = cost_with(table, ManoeuvreKind::kUTurn, true, 0.0, 2.0);
+  // Square across instead of round: longer by (4 - pi) R, less what it drifts as it pivots, but all
+  // of the turning scrubs on the spot.
+  EXPECT_NEAR(pivot.distance_m.mean, 2.0, 0.3);
+  EXPECT_GT(pivot.time_s.mean, u_turn.time_s.mean);
   EXPECT_GT(pivot.scuffed_m2.mean, 0.0);
 }
 

@@ -112,6 +112,32 @@ TEST(Drivetrain, DrivesAVehicleThatHasSunkBackByAHair) {
   EXPECT_GT(rig.command(400.0, -0.1).wheels[0].brake_max_nm, 0.0);
 }
 
+// Only beyond what tyres need to pull, in proportion, and only where wheels have motors of their
+// own.
+TEST(Drivetrain, HoldsSpinningWheelsBack) {
+  Rig rig;
+  rig.vehicle.drivetrain.motor_per_wheel = true;
+  rig.vehicle.front.driven = rig.vehicle.rear.driven = true;
+  const MotorLayout layout = motor_layout(rig.vehicle);
+  PerWheel<double> hub_mps{};
+  hub_mps.fill(2.0);
+  const PerWheel<double> rim_mps{2.0, 2.29, 2.4, 1.6};  // free: 2.0 +- 0.3
+  PerMotor<double> torque_nm{};
+  limit_slip(rig.vehicle, layout, rig.wheels, rim_mps, hub_mps, torque_nm);
+  const auto held_nm = [&](std::size_t wheel, double beyond_mps) {
+    const WheelDefinition& w = rig.wheels[wheel];
+    return -kSlipGain_per_s * w.inertia_kg_m2 * beyond_mps / w.radius_m;
+  };
+  EXPECT_EQ(torque_nm[0], 0.0);
+  EXPECT_EQ(torque_nm[1], 0.0);
+  EXPECT_NEAR(torque_nm[2], held_nm(2, 0.1), 1e-9);
+  EXPECT_NEAR(torque_nm[3], held_nm(3, -0.1), 1e-9);
+  rig.vehicle.drivetrain.motor_per_wheel = false;
+  torque_nm.fill(7.0);
+  limit_slip(rig.vehicle, motor_layout(rig.vehicle), rig.wheels, rim_mps, hub_mps, torque_nm);
+  EXPECT_EQ(torque_nm[0], 7.0);
+}
+
 // A couple about z comes from the wheels' forward forces, right minus left, at half the track.
 TEST(Drivetrain, MotorsAtTheWheelsTurnTheVehicle) {
   Rig rig;

@@ -54,6 +54,30 @@ TEST(SteeringKinds, SkidSteeringScrubsMoreThanSteeredWheels) {
   EXPECT_GT(scrub_share("skid_steer_robot"), 5.0 * scrub_share("four_wheel_steer_robot"));
 }
 
+// On a 10 % slope, uphill along x: it turns to the left and drives across.
+TEST(SteeringKinds, PivotsOnASlopeWithoutRunningAway) {
+  const Vehicle vehicle = load_vehicle("skid_steer_robot");
+  Path path;
+  test::extend(path, PathKind::kTransit, Gear::kForward, false, 5.0, 0.0);
+  PathSegment across;
+  across.kind = PathKind::kTransit;
+  across.manoeuvre = 1;
+  const double left_rad = 0.5 * std::numbers::pi;
+  for (int i = 0; i <= 40; ++i) across.points.push_back({{5.0, 0.1 * i}, left_rad, 0.0});
+  path.segments.push_back(across);
+  const RunRecord run = test::run(path, vehicle, test::plane(0.1, 0.0), test::soil_named("firm"));
+  ASSERT_EQ(run.outcome, Outcome::kFinished) << run.outcome_detail;
+  double lowest_m = 5.0;
+  for (const RunSample& sample : run.samples) {
+    if (sample.segment == 1) lowest_m = std::min(lowest_m, sample.p_WB.x());
+  }
+  // Tyres that slide sideways as it turns hold the grade with what grip is left: it gives way by
+  // decimetres, where without a hold it would run down the slope.
+  constexpr double kDrift_m = 0.6;
+  EXPECT_GT(lowest_m, 5.0 - kDrift_m);
+  EXPECT_NEAR(run.samples.back().p_WB.y(), 4.0, 0.1);
+}
+
 // Four wheels that turn to opposite sides halve the radius of two.
 TEST(SteeringKinds, FourSteeredWheelsTurnOnHalfTheRadius) {
   Vehicle vehicle = load_vehicle("four_wheel_steer_robot");

@@ -50,6 +50,7 @@ TEST(Draft, GoesWithWidthToolsDepthSpeedAndTexture) {
       slower_n = here_n;
     }
     EXPECT_EQ(slower_n > at(SoilTexture::kFine, 0.0), row.b + row.c > 0.0) << row.name;
+    if (row.at_any_depth) continue;
     Implement deeper = one;
     deeper.tillage->depth_cm = 20.0;
     EXPECT_NEAR(draft_n(deeper, SoilTexture::kFine, 2.0),
@@ -105,6 +106,9 @@ TEST(Draft, IsRefusedWhereItIsTwofoldOrMissing) {
   EXPECT_THAT(
       with_draft("\ndraft:\n  tool: sweep_plough\n  tools: {value: 3, source: \"a\"}\n" + kDepth),
       AllOf(HasSubstr("draft.tools"), HasSubstr("per metre")));
+  EXPECT_THAT(with_draft("\ndraft:\n  tool: row_planter\n  tools: {value: 4, source: \"a\"}\n"
+                         "  depth_cm: {value: 4, source: \"assumed\"}\n"),
+              AllOf(HasSubstr("draft.depth_cm"), HasSubstr("'4'"), HasSubstr("at any depth")));
   EXPECT_THAT(with_draft("\ndraft:\n  tool: plough\n" + kDepth),
               AllOf(HasSubstr("draft.tool: 'plough'"), HasSubstr("mouldboard_plough")));
   EXPECT_THAT(with_draft("\ndraft:\n  tool: mouldboard_plough\n"
