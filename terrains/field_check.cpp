@@ -158,9 +158,8 @@ void check_field(Field& field, const std::string& source) {
     if (signed_area_m2(hole) > 0.0) std::ranges::reverse(hole);
   }
   check_holes(field, source);
-  const auto pieces = std::ranges::count_if(field.obstacles, [](const Obstacle& obstacle) {
-    return runs_along_line(obstacle.kind);
-  });
+  const auto pieces = std::ranges::count_if(
+      field.obstacles, [](const Obstacle& obstacle) { return runs_along_line(obstacle.kind); });
   if (pieces > kMostWallPieces) {
     throw InputError(source, "obstacles", fmt::format("{}", pieces),
                      fmt::format("at most {} straight pieces of walls and fences; leave out points "
