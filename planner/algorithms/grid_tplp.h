@@ -1,0 +1,26 @@
+// CCPP-TPLP: greedy beginnings by transition probability, then learning and perturbation.
+#pragma once
+
+#include <span>
+
+#include "planner/grid_plan.h"
+
+namespace headland {
+
+std::span<const ParameterSpec> grid_tplp_parameters();
+
+// Wang et al. 2025 (10.20944/preprints202504.0101.v1), sections 4.1 to 4.3.
+// - Individuals are orders of all cells; their path is expanded(). They begin as greedy_order().
+// - Each iteration sorts best first. The best (POP1) is perturbed strongly (two cells change
+//   places), POP2 learns from the best, POP3 from random individuals, POP4 is perturbed weakly (a
+//   section is turned round); `share_2` to `share_4` are the sizes of the last three.
+// Readings of what the paper leaves open: an iteration applies the operator at every place k in
+// turn, and a change is kept unless it makes the path costlier; `rule` has others. Learning
+// excludes x_k from the section that is turned round, else the learned pair would not become
+// neighbours. The best individual is never made worse. Given start and end keep their places
+// instead of being repaired. With alpha_g = 1 lambda has no effect; the paper's Table 4 varies it
+// there. Throws InputError as grid_problem and distance_table, and for shares that are all zero;
+// Cancelled.
+GridPlan plan_grid_tplp(const GridPlanRequest& request);
+
+}  // namespace headland

@@ -1,0 +1,102 @@
+#include "planner/grid_distances.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "terrains/input_error.h"
+
+namespace headland {
+namespace {
+
+constexpr std::uint16_t kUnreached = std::numeric_limits<std::uint16_t>::max();
+
+void fill_row(const GridGraph& graph, int start, std::vector<int>& queue, std::uint16_t* row) {
+  std::fill(row, row + graph.size(), kUnreached);
+  int reached = 0;
+  queue[reached++] = start;
+  row[start] = 0;
+  for (int i = 0; i < reached; ++i) {
+    const int node = queue[i];
+    const auto steps = static_cast<std::uint16_t>(row[node] + 1);
+    for (const int next : graph.beside[node]) {
+      if (next < 0 || row[next] != kUnreached) continue;
+      row[next] = steps;
+      queue[reached++] = next;
+    }
+  }
+}
+
+// Appends the way from the node with the lower number to the other.
+void append_upward(const GridGraph& graph, const DistanceTable& table, int low, int high,
+                   std::vector<int>& path) {
+  int direction = 0;
+  for (int node = low; node != high;) {
+    const int left = table(high, node);
+    const auto nearer = [&](int k) {
+      const int next = graph.beside[node][k];
+      return next >= 0 && table(high, next) < left;
+    };
+    if (node == low || !nearer(direction)) {
+      for (direction = 0; !nearer(direction);) ++direction;
+    }
+    node = graph.beside[node][direction];
+    path.push_back(node);
+  }
+}
+
+}  // namespace
+
+DistanceTable distance_table(const GridGraph& graph, const std::string& source,
+                             const CancelAsked& cancelled) {
+  if (graph.size() > kMaxTableNodes) {
+    throw InputError(source, "map", fmt::format("{} free cells", graph.size()),
+                     fmt::format("at most {} for this planner, which needs the distances between "
+                                 "all of them; grid_boustrophedon takes more",
+                                 kMaxTableNodes));
+  }
+  DistanceTable table;
+  table.nodes = graph.size();
+  const std::size_t nodes = graph.cells.size();
+  table.steps.resize(nodes * nodes);
+  std::vector<int> queue(nodes);
+  for (int node = 0; node < table.nodes; ++node) {
+    stop_if(cancelled);
+    fill_row(graph, node, queue, table.steps.data() + static_cast<std::size_t>(node) * nodes);
+  }
+  return table;
+}
+
+std::vector<std::vector<int>> nodes_within(const GridGraph& graph, int steps) {
+  std::vector<std::vector<int>> near(graph.cells.size());
+  for (int node = 0; node < graph.size(); ++node) {
+    std::vector<int> reached = {node};
+    std::size_t ring_begin = 0;
+    for (int step = 0; step < steps; ++step) {
+      const std::size_t ring_end = reached.size();
+      for (; ring_begin < ring_end; ++ring_begin) {
+        for (const int next : graph.beside[reached[ring_begin]]) {
+          if (next >= 0 && std::ranges::find(reached, next) == reached.end()) {
+            reached.push_back(next);
+          }
+        }
+      }
+    }
+    near[node].assign(reached.begin() + 1, reached.end());
+  }
+  return near;
+}
+
+void append_way(const GridGraph& graph, const DistanceTable& table, int from, int to,
+                std::vector<int>& path) {
+  if (from < to) return append_upward(graph, table, from, to, path);
+  if (from == to) return;
+  const std::size_t begin = path.size();
+  append_upward(graph, table, to, from, path);
+  // What was appended ends at `from`; turned round it lacks its own beginning.
+  path.pop_back();
+  std::reverse(path.begin() + static_cast<std::ptrdiff_t>(begin), path.end());
+  path.push_back(to);
+}
+
+}  // namespace headland

@@ -1,0 +1,99 @@
+#include "planner/grid_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+
+#include "terrains/input_error.h"
+
+namespace headland {
+
+double repeat_rate(const GridPlan& plan) {
+  return static_cast<double>(plan.counts.repeats) / plan.counts.distinct_cells;
+}
+
+GridProblem grid_problem(const GridPlanRequest& request) {
+  GridProblem problem;
+  problem.graph = grid_graph(request.map, kGridPlanSource);
+  check_grid_cost(request.cost, kGridPlanSource);
+  check_grid_stop(request.stop, kGridPlanSource);
+  if (request.start) {
+    problem.start = node_at(request.map, problem.graph, *request.start, kGridPlanSource, "start");
+  }
+  if (request.end) {
+    problem.end = node_at(request.map, problem.graph, *request.end, kGridPlanSource, "end");
+  }
+  if (problem.start >= 0 && problem.start == problem.end && problem.graph.size() > 1) {
+    throw InputError(kGridPlanSource, "end",
+                     fmt::format("{}, {}", request.end->column, request.end->row),
+                     "another cell than the start");
+  }
+  return problem;
+}
+
+int least_steps(const GridProblem& problem) {
+  const auto colour = [&](int node) {
+    const GridCell cell = problem.graph.cells[node];
+    return (cell.column + cell.row) % 2;
+  };
+  int light = 0;  // more than dark ones
+  for (int node = 0; node < problem.graph.size(); ++node) light += colour(node) == 0 ? 1 : -1;
+  // How many more light visits than dark ones a path has follows from its ends.
+  const auto by_end = [&](int node) { return colour(node) == 0 ? 1 : -1; };
+  int extra = 0;
+  if (problem.start >= 0 && problem.end >= 0) {
+    extra = std::abs(light - (by_end(problem.start) + by_end(problem.end)) / 2);
+  } else if (problem.start >= 0 || problem.end >= 0) {
+    const int given = by_end(std::max(problem.start, problem.end));
+    extra = std::min(std::abs(light), std::abs(light - given));
+  } else {
+    extra = std::max(0, std::abs(light) - 1);
+  }
+  return problem.graph.size() - 1 + extra;
+}
+
+GridSearch begun_search(const GridPlanRequest& request) {
+  GridSearch search;
+  search.stop = request.stop;
+  search.cancelled = request.cancelled;
+  return search;
+}
+
+GridPlan finished_plan(const GridPlanRequest& request, const GridProblem& problem,
+                       const std::string& planner, const std::vector<int>& path,
+                       const GridSearch& search) {
+  GridPlan plan;
+  plan.planner = planner;
+  plan.cells.reserve(path.size());
+  for (const int node : path) plan.cells.push_back(problem.graph.cells[node]);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    plan.jumps += direction_between(problem.graph, path[i - 1], path[i]) < 0 ? 1 : 0;
+  }
+  plan.counts = count_path(problem.graph, path);
+  plan.cost = cost_of(request.cost, plan.counts, problem.graph.cell_m);
+  plan.fitness = fitness_of(plan.cost);
+  plan.convergence = search.convergence;
+  plan.iterations = search.iteration;
+  plan.evaluations = search.evaluations;
+  plan.stopped_by = search.stopped_by.value_or(StopReason::kNothingBetter);
+  return plan;
+}
+
+std::vector<int> random_order(const GridProblem& problem, SeededRandom& random) {
+  std::vector<int> order(problem.graph.cells.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (problem.start >= 0) std::swap(order.front(), *std::ranges::find(order, problem.start));
+  if (problem.end >= 0) std::swap(order.back(), *std::ranges::find(order, problem.end));
+  const FreePlaces places = free_places(problem);
+  shuffle(random, order, places.first, places.end);
+  return order;
+}
+
+FreePlaces free_places(const GridProblem& problem) {
+  return {problem.start >= 0 ? 1 : 0,
+          problem.graph.size() - (problem.end >= 0 && problem.graph.size() > 1 ? 1 : 0)};
+}
+
+}  // namespace headland

@@ -1,0 +1,28 @@
+// The planners on grid maps: one signature and one literal table.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "planner/grid_plan.h"
+
+namespace headland {
+
+using GridPlanFunction = GridPlan (*)(const GridPlanRequest&);
+
+// To add a planner: a file in algorithms/, a declaration there and a line in grid_planners.cpp. The
+// conformance test picks it up.
+struct GridPlannerEntry {
+  std::string_view name;
+  std::string_view source;  // paper, or 'headland'
+  GridPlanFunction plan;
+  std::span<const ParameterSpec> parameters;
+};
+
+std::span<const GridPlannerEntry> grid_planners();
+
+// Throws InputError (source, "planner.name") with the nearest name when there is none.
+const GridPlannerEntry& find_grid_planner(std::string_view name, const std::string& source);
+
+}  // namespace headland

@@ -1,0 +1,98 @@
+#include "planner/grid_search.h"
+
+#include <fmt/format.h>
+
+#include "planner/order_cost.h"
+#include "terrains/input_error.h"
+
+namespace headland {
+namespace {
+
+// What ends a search at any time.
+std::optional<StopReason> reason_to_stop_now(const GridSearch& search) {
+  const GridStop& stop = search.stop;
+  if (search.best <= search.least + kNoChange) return StopReason::kNothingBetter;
+  if (stop.evaluations > 0 && search.evaluations >= stop.evaluations) {
+    return StopReason::kEvaluations;
+  }
+  if (stop.seconds > 0.0) {
+    const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - search.begun;
+    if (gone.count() >= stop.seconds) return StopReason::kTime;
+  }
+  return std::nullopt;
+}
+
+// What ends it between iterations.
+std::optional<StopReason> reason_not_to_iterate(const GridSearch& search) {
+  const GridStop& stop = search.stop;
+  if (search.iteration >= stop.iterations) return StopReason::kIterations;
+  const int improved = search.convergence.empty() ? 0 : search.convergence.back().iteration;
+  if (stop.stagnation > 0 && search.iteration - improved >= stop.stagnation) {
+    return StopReason::kStagnation;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void check_grid_stop(const GridStop& stop, const std::string& source) {
+  if (stop.iterations < 1) {
+    throw InputError(source, "stop.iterations", fmt::format("{}", stop.iterations),
+                     "a whole number from 1 up");
+  }
+  if (stop.evaluations < 0) {
+    throw InputError(source, "stop.evaluations", fmt::format("{}", stop.evaluations),
+                     "a whole number from 0 (no limit) up");
+  }
+  if (!(stop.seconds >= 0.0)) {
+    throw InputError(source, "stop.seconds", fmt::format("{}", stop.seconds),
+                     "a number from 0 (no limit) up");
+  }
+  if (stop.stagnation < 0) {
+    throw InputError(source, "stop.stagnation", fmt::format("{}", stop.stagnation),
+                     "a whole number from 0 (no limit) up");
+  }
+}
+
+std::string_view stop_reason_name(StopReason reason) {
+  switch (reason) {
+    case StopReason::kIterations:
+      return "iterations";
+    case StopReason::kEvaluations:
+      return "evaluations";
+    case StopReason::kTime:
+      return "time";
+    case StopReason::kStagnation:
+      return "stagnation";
+    case StopReason::kNothingBetter:
+      break;
+  }
+  return "nothing better";
+}
+
+bool goes_on(GridSearch& search) {
+  stop_if(search.cancelled);
+  if (!search.stopped_by) search.stopped_by = reason_to_stop_now(search);
+  return !search.stopped_by;
+}
+
+bool next_iteration(GridSearch& search) {
+  if (goes_on(search)) search.stopped_by = reason_not_to_iterate(search);
+  if (!search.stopped_by) ++search.iteration;
+  return !search.stopped_by;
+}
+
+bool note_cost(GridSearch& search, double cost) {
+  if (!(cost < search.best - kNoChange)) return false;
+  search.best = cost;
+  const ConvergencePoint point{search.iteration, search.evaluations, cost};
+  // One point an iteration: what it ended with.
+  if (!search.convergence.empty() && search.convergence.back().iteration == point.iteration) {
+    search.convergence.back() = point;
+  } else {
+    search.convergence.push_back(point);
+  }
+  return true;
+}
+
+}  // namespace headland

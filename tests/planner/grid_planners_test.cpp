@@ -1,0 +1,323 @@
+// What every grid planner of the table must do on every map, and what some are known to reach.
+#include "planner/grid_planners.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "terrains/grid_map_generator.h"
+#include "tests/planner/grid_examples.h"
+#include "tests/terrains/refusal.h"
+
+namespace headland {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kSumRounding = 1e-7;  // of sums of a few hundred shares and their changes
+
+std::vector<GridMap> conformance_maps() {
+  std::vector<GridMap> maps = {drawn_map("."), drawn_map(".."), drawn_map(".....\n"),
+                               drawn_map(".#.\n.#.\n...\n"), drawn_map("...\n.#.\n...\n")};
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    maps.push_back(made_up_grid_map({11, 9, 0.15, 4, seed}, "test"));
+  }
+  return maps;
+}
+
+// Planner, objective.
+using GridCase = std::tuple<std::size_t, GridObjective>;
+
+class EveryGridPlanner : public testing::TestWithParam<GridCase> {
+ protected:
+  const GridPlannerEntry& planner_ = grid_planners()[std::get<0>(GetParam())];
+  // The one that drives chromosomes as they are: its moves are not all steps.
+  const bool jumps_ = planner_.name == "grid_ga";
+
+  // Every map, with both ends given and free.
+  std::vector<GridPlanRequest> requests() const {
+    std::vector<GridPlanRequest> requests;
+    for (const GridMap& map : conformance_maps()) {
+      GridPlanRequest request = grid_request(map, planner_);
+      request.stop.iterations = 2;
+      request.cost.objective = std::get<1>(GetParam());
+      requests.push_back(request);
+      request.start = GridCell{0, map.rows - 1};
+      request.end = GridCell{map.columns - 1, 0};
+      requests.push_back(request);
+    }
+    return requests;
+  }
+};
+
+TEST_P(EveryGridPlanner, VisitsEveryFreeCellByStepsAndKeepsItsEnds) {
+  for (const GridPlanRequest& request : requests()) {
+    SCOPED_TRACE(grid_map_text(request.map));
+    const GridPlan plan = planner_.plan(request);
+    EXPECT_EQ(plan.planner, planner_.name);
+    ASSERT_FALSE(plan.cells.empty());
+    for (const GridCell cell : plan.cells) EXPECT_TRUE(is_free(request.map, cell));
+    const std::set<GridCell> distinct(plan.cells.begin(), plan.cells.end());
+    EXPECT_EQ(static_cast<int>(distinct.size()), free_cell_count(request.map));
+    int jumps = 0;
+    for (std::size_t i = 1; i < plan.cells.size(); ++i) {
+      const int away = std::abs(plan.cells[i].column - plan.cells[i - 1].column) +
+                       std::abs(plan.cells[i].row - plan.cells[i - 1].row);
+      jumps += away == 1 ? 0 : 1;
+    }
+    EXPECT_EQ(plan.jumps, jumps);
+    if (!jumps_) {
+      EXPECT_EQ(jumps, 0);
+    }
+    if (request.start) {
+      EXPECT_EQ(plan.cells.front(), *request.start);
+    }
+    if (request.end) {
+      EXPECT_EQ(plan.cells.back(), *request.end);
+    }
+  }
+}
+
+TEST_P(EveryGridPlanner, CostsWhatItSays) {
+  for (const GridPlanRequest& request : requests()) {
+    SCOPED_TRACE(grid_map_text(request.map));
+    const GridPlan plan = planner_.plan(request);
+    const GridCounts& counts = plan.counts;
+    EXPECT_EQ(counts.steps, static_cast<int>(plan.cells.size()) - 1);
+    EXPECT_EQ(counts.repeats, static_cast<int>(plan.cells.size()) - free_cell_count(request.map));
+    if (request.cost.objective == GridObjective::kWeighted) {
+      EXPECT_NEAR(plan.cost, 0.3 * counts.repeats + 0.2 * counts.turns + 0.5 * counts.u_turns,
+                  kSumRounding);
+    }
+    ASSERT_FALSE(plan.convergence.empty());
+    for (std::size_t i = 1; i < plan.convergence.size(); ++i) {
+      EXPECT_LT(plan.convergence[i].cost, plan.convergence[i - 1].cost);
+      EXPECT_GT(plan.convergence[i].iteration, plan.convergence[i - 1].iteration);
+    }
+    if (!jumps_) {
+      EXPECT_NEAR(plan.convergence.back().cost, plan.cost, kSumRounding);
+    }
+    EXPECT_LE(plan.iterations, request.stop.iterations);
+  }
+}
+
+TEST_P(EveryGridPlanner, FollowsFromTheSeed) {
+  for (GridPlanRequest request : requests()) {
+    request.seed = 9;
+    const GridPlan one = planner_.plan(request);
+    const GridPlan other = planner_.plan(request);
+    EXPECT_EQ(one.cells, other.cells);
+    EXPECT_EQ(one.evaluations, other.evaluations);
+  }
+}
+
+std::string grid_case_name(const testing::TestParamInfo<GridCase>& info) {
+  const auto& [planner, objective] = info.param;
+  const std::string name(grid_planners()[planner].name);
+  switch (objective) {
+    case GridObjective::kLength:
+      return name + "_length";
+    case GridObjective::kWeighted:
+      return name + "_weighted";
+    case GridObjective::kTractor:
+      break;
+  }
+  return name + "_tractor";
+}
+
+INSTANTIATE_TEST_SUITE_P(Grids, EveryGridPlanner,
+                         testing::Combine(testing::Range(std::size_t{0}, grid_planners().size()),
+                                          testing::Values(GridObjective::kLength,
+                                                          GridObjective::kWeighted,
+                                                          GridObjective::kTractor)),
+                         grid_case_name);
+
+class GridRefusals : public testing::TestWithParam<std::size_t> {
+ protected:
+  const GridPlannerEntry& planner_ = grid_planners()[GetParam()];
+  std::string said(const GridPlanRequest& request) const {
+    return headland::refusal([&] { planner_.plan(request); });
+  }
+};
+
+TEST_P(GridRefusals, WhatCannotBePlanned) {
+  EXPECT_THAT(said(grid_request(drawn_map(".#.\n.#.\n"), planner_)),
+              HasSubstr("grid plan: map: '2 of 4 free cells': cannot be reached from the rest"));
+  GridPlanRequest request = grid_request(drawn_map("..\n.#\n"), planner_);
+  request.start = GridCell{1, 0};
+  EXPECT_EQ(said(request), "grid plan: start: '1, 0': a free cell; this one is blocked");
+  request.start = GridCell{2, 0};
+  EXPECT_EQ(said(request),
+            "grid plan: start: '2, 0': a cell of the map: column 0 to 1, row 0 to 1");
+  request.start = request.end = GridCell{0, 0};
+  EXPECT_EQ(said(request), "grid plan: end: '0, 0': another cell than the start");
+  request.start = request.end = std::nullopt;
+  request.stop.iterations = 0;
+  EXPECT_EQ(said(request), "grid plan: stop.iterations: '0': a whole number from 1 up");
+  request.stop = {};
+  request.cost.weights.repeat = -1.0;
+  EXPECT_THAT(said(request), HasSubstr("weights.repeat: '-1'"));
+  request.cost = {};
+  request.map.height_m = {1.0};
+  EXPECT_THAT(said(request), HasSubstr("heights: '1': 4 values"));
+  request.map = free_grid_map(0, 0);
+  EXPECT_THAT(said(request), HasSubstr("1 to 1000 columns and rows"));
+}
+
+TEST_P(GridRefusals, EndsWhenAsked) {
+  GridPlanRequest request = grid_request(example_map("field_B"), planner_);
+  int asked = 0;
+  request.cancelled = [&] { return ++asked > 3; };
+  EXPECT_THROW(planner_.plan(request), Cancelled);
+  EXPECT_EQ(asked, 4);
+}
+
+TEST_P(GridRefusals, ParametersOutOfRange) {
+  for (const ParameterSpec& spec : planner_.parameters) {
+    const std::string name(spec.name);
+    EXPECT_THAT(
+        headland::refusal([&] {
+          resolve_parameters(planner_.parameters, {{name, spec.max + 1.0}}, "spec.yaml", "planner");
+        }),
+        HasSubstr("planner." + name));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Grids, GridRefusals,
+                         testing::Range(std::size_t{0}, grid_planners().size()),
+                         [](const testing::TestParamInfo<std::size_t>& planner) {
+                           return std::string(grid_planners()[planner.param].name);
+                         });
+
+TEST(GridStops, AtTheFirstLimit) {
+  GridPlanRequest request = grid_request(example_map("field_D"), "grid_tplp");
+  request.parameters["population"] = 10.0;
+  request.cost.objective = GridObjective::kWeighted;
+  request.stop.iterations = 3;
+  GridPlan plan = plan_named("grid_tplp", request);
+  EXPECT_EQ(plan.stopped_by, StopReason::kIterations);
+  EXPECT_EQ(plan.iterations, 3);
+  request.stop.evaluations = 500;
+  plan = plan_named("grid_tplp", request);
+  EXPECT_EQ(plan.stopped_by, StopReason::kEvaluations);
+  // At most one individual's places are looked at beyond the limit.
+  EXPECT_LE(plan.evaluations, 500 + free_cell_count(request.map));
+  request.stop = {.iterations = 100000, .evaluations = 0, .seconds = 0.0, .stagnation = 5};
+  plan = plan_named("grid_tplp", request);
+  EXPECT_EQ(plan.stopped_by, StopReason::kStagnation);
+  EXPECT_EQ(plan.iterations, plan.convergence.back().iteration + 5);
+  request.stop = {.iterations = 1000000, .evaluations = 0, .seconds = 0.02, .stagnation = 0};
+  EXPECT_EQ(plan_named("grid_tplp", request).stopped_by, StopReason::kTime);
+}
+
+// Wu et al. 2023, Table 1 (repeats there in m2 of 4 m2 cells).
+TEST(GridBoustrophedon, GivesThePapersTable) {
+  using Row = std::tuple<const char*, int, int, int>;
+  for (const auto& [name, repeats, turns, u_turns] :
+       {Row{"field_A", 0, 22, 0}, Row{"field_B", 8, 32, 1}, Row{"field_C", 4, 26, 4},
+        Row{"field_D", 9, 34, 5}}) {
+    const GridPlanRequest request = grid_request(example_map(name), "grid_boustrophedon");
+    const GridCounts counts = plan_named("grid_boustrophedon", request).counts;
+    EXPECT_EQ(std::tie(counts.repeats, counts.turns, counts.u_turns),
+              std::tie(repeats, turns, u_turns))
+        << name;
+  }
+}
+
+TEST(GridBoustrophedon, TakesMapsOfAMillionCells) {
+  const GridPlanRequest request = grid_request(free_grid_map(1000, 1000), "grid_boustrophedon");
+  const GridPlan plan = plan_named("grid_boustrophedon", request);
+  EXPECT_EQ(plan.counts.repeats, 0);
+  EXPECT_EQ(plan.counts.turns, 2 * 999);
+}
+
+TEST(GridGenetic, RefusesMoreElitesThanChromosomes) {
+  GridPlanRequest request = grid_request(drawn_map("..."), "grid_iga");
+  request.parameters["population"] = 5.0;
+  request.parameters["elites"] = 6.0;
+  EXPECT_EQ(headland::refusal([&] { plan_named("grid_iga", request); }),
+            "grid plan: elites: '6': at most 5, the population");
+}
+
+// The shortest path that visits every cell of a map of up to 16, by breadth-first search over
+// (cells visited, where).
+int shortest_by_brute_force(const GridProblem& problem) {
+  const int nodes = problem.graph.size();
+  const auto state = [nodes](std::uint32_t visited, int node) {
+    return static_cast<std::size_t>(visited) * static_cast<std::size_t>(nodes) +
+           static_cast<std::size_t>(node);
+  };
+  const std::uint32_t all = (1U << nodes) - 1U;
+  std::vector<int> steps(state(all, nodes - 1) + 1, -1);
+  std::vector<std::pair<std::uint32_t, int>> queue;
+  for (int node = 0; node < nodes; ++node) {
+    if (problem.start >= 0 && node != problem.start) continue;
+    steps[state(1U << node, node)] = 0;
+    queue.emplace_back(1U << node, node);
+  }
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const auto [visited, node] = queue[i];
+    if (visited == all && (problem.end < 0 || node == problem.end)) {
+      return steps[state(visited, node)];
+    }
+    for (const int next : problem.graph.beside[node]) {
+      if (next < 0) continue;
+      const std::uint32_t more = visited | (1U << next);
+      if (steps[state(more, next)] >= 0) continue;
+      steps[state(more, next)] = steps[state(visited, node)] + 1;
+      queue.emplace_back(more, next);
+    }
+  }
+  return -1;
+}
+
+TEST(GridPlans, AreNotShorterThanTheShortest) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    GridPlanRequest request;
+    request.map = made_up_grid_map({4, 4, 0.2, 2, seed}, "test");
+    if (seed % 2 == 0) request.start = GridCell{0, 3};
+    if (seed % 3 == 0) request.end = GridCell{3, 0};
+    request.stop.iterations = 40;
+    const int shortest = shortest_by_brute_force(grid_problem(request));
+    EXPECT_LE(least_steps(grid_problem(request)), shortest);
+    for (const GridPlannerEntry& planner : grid_planners()) {
+      if (planner.name == "grid_ga") continue;
+      request.parameters = resolve_parameters(planner.parameters, {}, "test", "");
+      const int steps = planner.plan(request).counts.steps;
+      EXPECT_GE(steps, shortest) << planner.name;
+      if (planner.name == "grid_local_search" || planner.name == "grid_tplp") {
+        EXPECT_EQ(steps, shortest) << planner.name << ", seed " << seed;
+      }
+    }
+  }
+}
+
+// On maps by Table 7 of Wang et al. 2025; 358 is the proven optimum with these ends.
+TEST(GridPlans, LocalSearchSolvesEnvironmentOne) {
+  GridPlanRequest request = grid_request(example_map("env_I"), "grid_local_search");
+  request.start = GridCell{0, 19};
+  request.end = GridCell{19, 0};
+  request.stop.iterations = 50;
+  const GridPlan plan = plan_named("grid_local_search", request);
+  EXPECT_EQ(plan.counts.steps, 358);
+  EXPECT_EQ(plan.stopped_by, StopReason::kNothingBetter);
+}
+
+// The paper prints 367.0 on its own map of these numbers after 600 iterations.
+TEST(GridPlans, TplpIsShorterThanItsPaperPrints) {
+  GridPlanRequest request = grid_request(example_map("env_I"), "grid_tplp");
+  request.start = GridCell{0, 19};
+  request.end = GridCell{19, 0};
+  EXPECT_LT(plan_named("grid_tplp", request).counts.steps, 367);
+}
+
+}  // namespace
+}  // namespace headland
