@@ -1,5 +1,6 @@
 // Grid planners on examples/maps beside what the papers print for their own maps, which are not
-// published: numbers side by side, not a reproduction. `grid_tables [RUNS] [--json]`.
+// published: numbers side by side, not a reproduction. `grid_tables [RUNS] [--json]
+// [--only TEXT]`, of rows whose name has it.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -86,7 +87,15 @@ GridPlanRequest request_for(std::string_view map, const GridPlannerEntry& planne
   return request;
 }
 
-void measure_row(const PrintedMean& row, bool weighted, int runs, std::vector<Figure>& figures) {
+struct Asked {
+  int runs = 3;
+  std::string only;  // rows whose name has it
+};
+
+void measure_row(const PrintedMean& row, bool weighted, const Asked& asked,
+                 std::vector<Figure>& figures) {
+  const std::string name = std::string(row.map) + " " + std::string(row.planner);
+  if (name.find(asked.only) == std::string::npos) return;
   const GridPlannerEntry& planner = find_grid_planner(row.planner, "grid_tables");
   GridPlanRequest request = request_for(row.map, planner);
   if (weighted) {
@@ -99,29 +108,32 @@ void measure_row(const PrintedMean& row, bool weighted, int runs, std::vector<Fi
   if (weighted && row.planner == "grid_local_search") request.stop.iterations = kTurnIterations;
   double sum = 0.0;
   const auto begun = std::chrono::steady_clock::now();
-  for (int run = 0; run < runs; ++run) {
+  for (int run = 0; run < asked.runs; ++run) {
     request.seed = static_cast<std::uint64_t>(run + 1);
     sum += planner.plan(request).cost;
   }
-  const double seconds = seconds_since(begun) / runs;
-  const std::string name = std::string(row.map) + " " + std::string(row.planner);
-  figures.push_back({name, sum / runs, weighted ? "cost" : "steps", std::string(row.printed)});
+  const double seconds = seconds_since(begun) / asked.runs;
+  figures.push_back(
+      {name, sum / asked.runs, weighted ? "cost" : "steps", std::string(row.printed)});
   figures.push_back({name + " time", seconds, "s", ""});
 }
 
 int run_tables(int argc, char** argv) {
-  int runs = 3;
+  Asked asked;
   bool as_json = false;
   for (int i = 1; i < argc; ++i) {
-    if (std::string_view(argv[i]) == "--json") {
+    const std::string_view word = argv[i];
+    if (word == "--json") {
       as_json = true;
+    } else if (word == "--only" && i + 1 < argc) {
+      asked.only = argv[++i];
     } else {
-      runs = std::max(1, std::atoi(argv[i]));
+      asked.runs = std::max(1, std::atoi(argv[i]));
     }
   }
   std::vector<Figure> figures;
-  for (const PrintedMean& row : kTable8) measure_row(row, false, runs, figures);
-  for (const PrintedMean& row : kTable1) measure_row(row, true, runs, figures);
+  for (const PrintedMean& row : kTable8) measure_row(row, false, asked, figures);
+  for (const PrintedMean& row : kTable1) measure_row(row, true, asked, figures);
   print(figures, as_json);
   return 0;
 }

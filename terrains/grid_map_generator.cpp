@@ -19,7 +19,7 @@ constexpr int kTriesPerBlock = 400;  // places tried for one obstacle
 constexpr double kMaxAspect = 3.0;
 
 struct Draws {
-  std::uint64_t seed;
+  std::uint64_t seed = 1;
   std::uint64_t drawn = 0;
 
   double unit() { return seeded_uniform(seed, drawn++); }

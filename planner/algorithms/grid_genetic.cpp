@@ -30,7 +30,7 @@ struct Chromosome {
 struct Evolution {
   const GridPlanRequest& request;
   const GridProblem& problem;
-  const DistanceTable* table;  // null: chromosomes are driven as they are
+  const DistanceTable* table = nullptr;  // null: chromosomes are driven as they are
   bool adaptive = false;
   bool single_point = false;
   double jump_cost = 0.0;
@@ -138,6 +138,7 @@ Chromosome child_of(Evolution& evolution, const std::vector<Chromosome>& populat
 std::vector<Chromosome> next_generation(Evolution& evolution,
                                         const std::vector<Chromosome>& population) {
   std::vector<double> sums;
+  sums.reserve(population.size());
   for (const Chromosome& one : population) {
     sums.push_back((sums.empty() ? 0.0 : sums.back()) + one.fitness);
   }
