@@ -15,8 +15,8 @@ int nearest_of_rest(const GridGraph& graph, const DistanceTable& table, int from
   const auto take = [&](int node) {
     if (draw_below(random, ++ties) == 0) chosen = node;
   };
-  for (const int beside : graph.beside[from]) {
-    if (beside >= 0 && place_in_rest[beside] >= 0) take(beside);
+  for (const int beside : at(graph.beside, from)) {
+    if (beside >= 0 && at(place_in_rest, beside) >= 0) take(beside);
   }
   if (chosen >= 0) return chosen;
   int nearest = table.nodes;
@@ -31,10 +31,10 @@ int nearest_of_rest(const GridGraph& graph, const DistanceTable& table, int from
 int drawn_of_rest(const DistanceTable& table, int from, const std::vector<int>& rest,
                   const std::vector<double>& weight, SeededRandom& random) {
   double sum = 0.0;
-  for (const int node : rest) sum += weight[table(from, node)];
+  for (const int node : rest) sum += at(weight, table(from, node));
   double left = draw_unit(random) * sum;
   for (const int node : rest) {
-    left -= weight[table(from, node)];
+    left -= at(weight, table(from, node));
     if (left < 0.0) return node;
   }
   return rest.back();
@@ -55,7 +55,7 @@ std::vector<int> greedy_order(const GridProblem& problem, const DistanceTable& t
   std::vector<int> place_in_rest(problem.graph.cells.size(), -1);
   for (int node = 0; node < problem.graph.size(); ++node) {
     if (node == start || node == problem.end) continue;
-    place_in_rest[node] = static_cast<int>(rest.size());
+    at(place_in_rest, node) = static_cast<int>(rest.size());
     rest.push_back(node);
   }
   std::vector<int> order = {start};
@@ -65,10 +65,10 @@ std::vector<int> greedy_order(const GridProblem& problem, const DistanceTable& t
                          ? nearest_of_rest(problem.graph, table, from, rest, place_in_rest, random)
                          : drawn_of_rest(table, from, rest, weight, random);
     order.push_back(next);
-    place_in_rest[rest.back()] = place_in_rest[next];
-    rest[place_in_rest[next]] = rest.back();
+    at(place_in_rest, rest.back()) = at(place_in_rest, next);
+    at(rest, at(place_in_rest, next)) = rest.back();
     rest.pop_back();
-    place_in_rest[next] = -1;
+    at(place_in_rest, next) = -1;
   }
   if (problem.end >= 0 && problem.end != start) order.push_back(problem.end);
   return order;

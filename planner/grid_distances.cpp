@@ -14,15 +14,15 @@ constexpr std::uint16_t kUnreached = std::numeric_limits<std::uint16_t>::max();
 void fill_row(const GridGraph& graph, int start, std::vector<int>& queue, std::uint16_t* row) {
   std::fill(row, row + graph.size(), kUnreached);
   int reached = 0;
-  queue[reached++] = start;
+  at(queue, reached++) = start;
   row[start] = 0;
   for (int i = 0; i < reached; ++i) {
-    const int node = queue[i];
+    const int node = at(queue, i);
     const auto steps = static_cast<std::uint16_t>(row[node] + 1);
-    for (const int next : graph.beside[node]) {
+    for (const int next : at(graph.beside, node)) {
       if (next < 0 || row[next] != kUnreached) continue;
       row[next] = steps;
-      queue[reached++] = next;
+      at(queue, reached++) = next;
     }
   }
 }
@@ -34,13 +34,13 @@ void append_upward(const GridGraph& graph, const DistanceTable& table, int low, 
   for (int node = low; node != high;) {
     const int left = table(high, node);
     const auto nearer = [&](int k) {
-      const int next = graph.beside[node][k];
+      const int next = at(at(graph.beside, node), k);
       return next >= 0 && table(high, next) < left;
     };
     if (node == low || !nearer(direction)) {
       for (direction = 0; !nearer(direction);) ++direction;
     }
-    node = graph.beside[node][direction];
+    node = at(at(graph.beside, node), direction);
     path.push_back(node);
   }
 }
@@ -75,14 +75,14 @@ std::vector<std::vector<int>> nodes_within(const GridGraph& graph, int steps) {
     for (int step = 0; step < steps; ++step) {
       const std::size_t ring_end = reached.size();
       for (; ring_begin < ring_end; ++ring_begin) {
-        for (const int next : graph.beside[reached[ring_begin]]) {
+        for (const int next : at(graph.beside, reached[ring_begin])) {
           if (next >= 0 && std::ranges::find(reached, next) == reached.end()) {
             reached.push_back(next);
           }
         }
       }
     }
-    near[node].assign(reached.begin() + 1, reached.end());
+    at(near, node).assign(reached.begin() + 1, reached.end());
   }
   return near;
 }

@@ -27,7 +27,7 @@ struct DistanceTable {
 // The table takes 2 bytes for each pair: 0.8 GB for as many nodes.
 inline constexpr int kMaxTableNodes = 20000;
 
-// 17 ms for 1 305 nodes. Throws InputError above kMaxTableNodes, Cancelled.
+// Throws InputError above kMaxTableNodes, Cancelled.
 DistanceTable distance_table(const GridGraph& graph, const std::string& source,
                              const CancelAsked& cancelled = {});
 
@@ -62,21 +62,21 @@ std::vector<int> way_to(BreadthFirst& first, int start, const DirectionOrder& or
                         Wanted wanted) {
   ++first.search;
   first.queue.assign(1, start);
-  first.reached_in[start] = first.search;
-  first.from[start] = -1;
+  at(first.reached_in, start) = first.search;
+  at(first.from, start) = -1;
   for (std::size_t i = 0; i < first.queue.size(); ++i) {
     const int node = first.queue[i];
     if (wanted(node)) {
       std::vector<int> way;
-      for (int back = node; back != start; back = first.from[back]) way.push_back(back);
+      for (int back = node; back != start; back = at(first.from, back)) way.push_back(back);
       std::reverse(way.begin(), way.end());
       return way;
     }
     for (const int direction : order) {
-      const int next = first.graph->beside[node][direction];
-      if (next < 0 || first.reached_in[next] == first.search) continue;
-      first.reached_in[next] = first.search;
-      first.from[next] = node;
+      const int next = at(at(first.graph->beside, node), direction);
+      if (next < 0 || at(first.reached_in, next) == first.search) continue;
+      at(first.reached_in, next) = first.search;
+      at(first.from, next) = node;
       first.queue.push_back(next);
     }
   }

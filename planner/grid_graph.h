@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/indexed.h"
 #include "terrains/grid_map.h"
 
 namespace headland {

@@ -17,20 +17,20 @@ std::vector<int> adjusted(const GridGraph& graph, const DistanceTable& table,
                           const std::vector<int>& order, bool keep_end) {
   std::vector<int> path = {order.front()};
   std::vector<char> visited(graph.cells.size(), 0);
-  visited[order.front()] = 1;
+  at(visited, order.front()) = 1;
   for (std::size_t i = 1; i < order.size(); ++i) {
     const bool last = keep_end && i + 1 == order.size();
-    if (visited[order[i]] != 0 && !last) continue;
+    if (at(visited, order[i]) != 0 && !last) continue;
     const std::size_t begin = path.size();
     append_way(graph, table, path.back(), order[i], path);
-    for (std::size_t k = begin; k < path.size(); ++k) visited[path[k]] = 1;
+    for (std::size_t k = begin; k < path.size(); ++k) at(visited, path[k]) = 1;
   }
   return path;
 }
 
 StepSlope slope_of_step(const GridGraph& graph, int from, int to) {
   if (graph.height_m.empty()) return {graph.cell_m, 0.0};
-  const double rise_m = std::abs(graph.height_m[to] - graph.height_m[from]);
+  const double rise_m = std::abs(at(graph.height_m, to) - at(graph.height_m, from));
   const double slant_m = std::hypot(graph.cell_m, rise_m);
   const double cosine = graph.cell_m / slant_m;
   return {graph.cell_m * cosine * cosine, rise_m * rise_m / slant_m};
@@ -40,8 +40,8 @@ GridCounts count_path(const GridGraph& graph, const std::vector<int>& path) {
   GridCounts counts;
   std::vector<char> visited(graph.cells.size(), 0);
   for (const int node : path) {
-    counts.distinct_cells += visited[node] == 0 ? 1 : 0;
-    visited[node] = 1;
+    counts.distinct_cells += at(visited, node) == 0 ? 1 : 0;
+    at(visited, node) = 1;
   }
   counts.steps = static_cast<int>(path.size()) - 1;
   counts.repeats = static_cast<int>(path.size()) - counts.distinct_cells;

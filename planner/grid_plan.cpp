@@ -35,7 +35,7 @@ GridProblem grid_problem(const GridPlanRequest& request) {
 
 int least_steps(const GridProblem& problem) {
   const auto colour = [&](int node) {
-    const GridCell cell = problem.graph.cells[node];
+    const GridCell cell = at(problem.graph.cells, node);
     return (cell.column + cell.row) % 2;
   };
   int light = 0;  // more than dark ones
@@ -67,7 +67,7 @@ GridPlan finished_plan(const GridPlanRequest& request, const GridProblem& proble
   GridPlan plan;
   plan.planner = planner;
   plan.cells.reserve(path.size());
-  for (const int node : path) plan.cells.push_back(problem.graph.cells[node]);
+  for (const int node : path) plan.cells.push_back(at(problem.graph.cells, node));
   for (std::size_t i = 1; i < path.size(); ++i) {
     plan.jumps += direction_between(problem.graph, path[i - 1], path[i]) < 0 ? 1 : 0;
   }

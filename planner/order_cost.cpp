@@ -53,11 +53,11 @@ int reach_of(const OrderCost& cost) { return cost.lengths_only ? 1 : 2; }
 // Nodes of a section with their surroundings; places outside the order are left out.
 void take(const std::vector<int>& order, int from, int to, std::vector<int>& nodes) {
   const int last = static_cast<int>(order.size()) - 1;
-  for (int i = std::max(0, from); i <= std::min(last, to); ++i) nodes.push_back(order[i]);
+  for (int i = std::max(0, from); i <= std::min(last, to); ++i) nodes.push_back(at(order, i));
 }
 
 void take_turned(const std::vector<int>& order, int from, int to, std::vector<int>& nodes) {
-  for (int i = to; i >= from; --i) nodes.push_back(order[i]);
+  for (int i = to; i >= from; --i) nodes.push_back(at(order, i));
 }
 
 // A list that is filled anew by each change looked at.
@@ -110,8 +110,10 @@ double change_by_reversal(const OrderCost& cost, const std::vector<int>& order, 
     const int last = static_cast<int>(order.size()) - 1;
     const DistanceTable& steps = *cost.table;
     int change = 0;
-    if (i > 0) change += steps(order[i - 1], order[j]) - steps(order[i - 1], order[i]);
-    if (j < last) change += steps(order[i], order[j + 1]) - steps(order[j], order[j + 1]);
+    if (i > 0)
+      change += steps(at(order, i - 1), at(order, j)) - steps(at(order, i - 1), at(order, i));
+    if (j < last)
+      change += steps(at(order, i), at(order, j + 1)) - steps(at(order, j), at(order, j + 1));
     return cost.shares.step * change;
   }
   if (j - i <= 2) {
@@ -135,18 +137,18 @@ double change_by_swap(const OrderCost& cost, const std::vector<int>& order, int 
   const int reach = reach_of(cost);
   if (j - i <= reach) {
     take(order, i - reach, i - 1, cleared(new_nodes));
-    new_nodes.push_back(order[j]);
+    new_nodes.push_back(at(order, j));
     take(order, i + 1, j - 1, new_nodes);
-    new_nodes.push_back(order[i]);
+    new_nodes.push_back(at(order, i));
     take(order, j + 1, j + reach, new_nodes);
     return change_of_window(cost, order, i - reach, j + reach);
   }
   take(order, i - reach, i - 1, cleared(new_nodes));
-  new_nodes.push_back(order[j]);
+  new_nodes.push_back(at(order, j));
   take(order, i + 1, i + reach, new_nodes);
   double change = change_of_window(cost, order, i - reach, i + reach);
   take(order, j - reach, j - 1, cleared(new_nodes));
-  new_nodes.push_back(order[i]);
+  new_nodes.push_back(at(order, i));
   take(order, j + 1, j + reach, new_nodes);
   change += change_of_window(cost, order, j - reach, j + reach);
   return change;

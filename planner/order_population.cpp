@@ -12,7 +12,7 @@ bool is_kept(double change, Keep keep) {
 }
 
 void note_places(Individual& one, int i, int j) {
-  for (; i <= j; ++i) one.place[one.order[i]] = i;
+  for (; i <= j; ++i) at(one.place, at(one.order, i)) = i;
 }
 
 bool may_change(const OrderSearch& search, int i, int j) {
@@ -51,7 +51,7 @@ bool try_swap(OrderSearch& search, Individual& one, int i, int j, Keep keep) {
   ++search.search.evaluations;
   const double change = change_by_swap(search.cost, one.order, i, j);
   if (!is_kept(change, keep)) return false;
-  std::swap(one.order[i], one.order[j]);
+  std::swap(at(one.order, i), at(one.order, j));
   note_places(one, i, i);
   note_places(one, j, j);
   one.cost += change;
@@ -80,9 +80,9 @@ bool perturb_weakly(OrderSearch& search, Individual& one, int k, Keep keep) {
 }
 
 bool learn(OrderSearch& search, Individual& one, const Individual& teacher, int k, Keep keep) {
-  const int after = teacher.place[one.order[k]] + 1;
+  const int after = at(teacher.place, at(one.order, k)) + 1;
   if (after >= static_cast<int>(teacher.order.size())) return false;
-  const int learned = one.place[teacher.order[after]];
+  const int learned = at(one.place, at(teacher.order, after));
   return learned > k ? try_reversal(search, one, k + 1, learned, keep)
                      : try_reversal(search, one, learned, k - 1, keep);
 }

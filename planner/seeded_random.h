@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "planner/indexed.h"
+
 namespace headland {
 
 // std::mt19937_64 is fixed by the standard to the bit; its distributions are not.
@@ -28,7 +30,7 @@ inline int draw_below(SeededRandom& random, int count) {
 template <typename Entry>
 void shuffle(SeededRandom& random, std::vector<Entry>& entries, int first, int end) {
   for (int i = end - 1; i > first; --i) {
-    std::swap(entries[i], entries[first + draw_below(random, i - first + 1)]);
+    std::swap(at(entries, i), at(entries, first + draw_below(random, i - first + 1)));
   }
 }
 

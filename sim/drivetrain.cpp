@@ -98,13 +98,17 @@ PerMotor<double> split_torque(const Vehicle& vehicle, const MotorLayout& layout,
 }
 
 void limit_slip(const Vehicle& vehicle, const MotorLayout& layout,
-                const PerWheel<WheelDefinition>& wheels, const PerWheel<double>& rim_mps,
-                const PerWheel<double>& hub_mps, PerMotor<double>& wheel_torque_nm) {
+                const PerWheel<WheelDefinition>& wheels, const PerWheel<WheelContact>& contacts,
+                const PerWheel<WheelState>& states, const ChassisState& chassis,
+                PerMotor<double>& wheel_torque_nm) {
   if (!vehicle.drivetrain.motor_per_wheel) return;
   for (std::size_t i = 0; i < kWheels; ++i) {
     if (layout.motor_of[i] < 0) continue;
-    const double free_mps = std::max(kFreeSlip * std::abs(hub_mps[i]), kFreeSlipSpeed_mps);
-    const double slip_mps = rim_mps[i] - hub_mps[i];
+    const double rim_mps = wheels[i].radius_m * states[i].spin_rad_per_s;
+    const double hub_mps =
+        contacts[i].along.dot(point_velocity(chassis.v_W, chassis.omega_W, contacts[i].hub_arm));
+    const double free_mps = std::max(kFreeSlip * std::abs(hub_mps), kFreeSlipSpeed_mps);
+    const double slip_mps = rim_mps - hub_mps;
     const double beyond_mps = slip_mps - std::clamp(slip_mps, -free_mps, free_mps);
     wheel_torque_nm[static_cast<std::size_t>(layout.motor_of[i])] -=
         kSlipGain_per_s * wheels[i].inertia_kg_m2 * beyond_mps / wheels[i].radius_m;

@@ -53,13 +53,15 @@ PerMotor<double> split_torque(const Vehicle& vehicle, const MotorLayout& layout,
 
 // What the controllers of motors at the wheels do: a wheel whose rim is faster or slower than the
 // ground under its hub by more than kFreeSlip of the ground speed gets torque against it, in
-// proportion to what is beyond. `rim_mps` and `hub_mps` are along the wheel. Without it a light
-// wheel of a motor of its own spins up. One motor for all wheels is left alone.
+// proportion to what is beyond. Without it a light wheel of a motor of its own spins up. One motor
+// for all wheels is left alone.
 void limit_slip(const Vehicle& vehicle, const MotorLayout& layout,
-                const PerWheel<WheelDefinition>& wheels, const PerWheel<double>& rim_mps,
-                const PerWheel<double>& hub_mps, PerMotor<double>& wheel_torque_nm);
-// Where tyres pull efficiently. Loose soil pulls up to a third more at slips of 0.6, at which it is
-// dug away: figures by grip (vehicle_figures.h), which take the best pull, promise that much more.
+                const PerWheel<WheelDefinition>& wheels, const PerWheel<WheelContact>& contacts,
+                const PerWheel<WheelState>& states, const ChassisState& chassis,
+                PerMotor<double>& wheel_torque_nm);
+// Where tyres pull efficiently. Loose soil pulls up to half as much more at slips of 0.6, at which
+// it is dug away: figures by grip (vehicle_figures.h), which take the best pull, promise that much
+// more.
 inline constexpr double kFreeSlip = 0.15;
 inline constexpr double kFreeSlipSpeed_mps = 0.1;  // and at any speed
 inline constexpr double kSlipGain_per_s = 30.0;    // speed loop: wheel inertia times this

@@ -16,23 +16,6 @@ PerMotor<double> motor_speeds_now(const Machine& machine, const PerWheel<WheelCo
   return motor_speeds(machine.motors, relative, machine.vehicle.drivetrain.gear_ratio);
 }
 
-// Torque asked of each motor's wheels.
-PerMotor<double> asked_torque(const Machine& machine, const DriverCommand& command,
-                              const PerWheel<WheelContact>& contacts,
-                              const PerWheel<WheelState>& states, const ChassisState& chassis) {
-  PerMotor<double> torque_nm =
-      split_torque(machine.vehicle, machine.motors, command.wheel_torque_nm, command.yaw_torque_nm);
-  PerWheel<double> rim_mps{};
-  PerWheel<double> hub_mps{};
-  for (std::size_t i = 0; i < kWheels; ++i) {
-    rim_mps[i] = machine.wheels[i].radius_m * states[i].spin_rad_per_s;
-    hub_mps[i] =
-        contacts[i].along.dot(point_velocity(chassis.v_W, chassis.omega_W, contacts[i].hub_arm));
-  }
-  limit_slip(machine.vehicle, machine.motors, machine.wheels, rim_mps, hub_mps, torque_nm);
-  return torque_nm;
-}
-
 // Electrical power [W] of the implement's shaft and of lifting it.
 double implement_power_w(const Implement& implement, const DriverCommand& command) {
   double power_w = command.working ? shaft_power_w(implement) / implement.shaft_efficiency : 0.0;
@@ -159,7 +142,10 @@ StepReport step_machine(const Machine& machine, const DriverCommand& command, St
   const double inverter = vehicle.motor.inverter_efficiency;
   const double speed_mps = chassis.v_W.dot(chassis.R_WB.col(0));
   DriveRequest request;
-  request.wheel_torque_nm = asked_torque(machine, command, report.contacts, state.wheels, chassis);
+  request.wheel_torque_nm =
+      split_torque(vehicle, machine.motors, command.wheel_torque_nm, command.yaw_torque_nm);
+  limit_slip(vehicle, machine.motors, machine.wheels, report.contacts, state.wheels, chassis,
+             request.wheel_torque_nm);
   request.hold = command.hold;
   request.speed_mps = speed_mps;
   request.motor_speed_rad_per_s =

@@ -27,25 +27,25 @@ struct Colony {
 
 void renew_attraction(Colony& colony) {
   for (int node = 0; node < colony.table.nodes; ++node) {
-    for (std::size_t k = 0; k < colony.near[node].size(); ++k) {
-      const int steps = colony.table(node, colony.near[node][k]);
-      colony.attraction[node][k] =
-          std::pow(colony.pheromone[node][k], colony.alpha) * std::pow(steps, -colony.beta);
+    for (std::size_t k = 0; k < at(colony.near, node).size(); ++k) {
+      const int steps = colony.table(node, at(colony.near, node)[k]);
+      at(colony.attraction, node)[k] =
+          std::pow(at(colony.pheromone, node)[k], colony.alpha) * std::pow(steps, -colony.beta);
     }
   }
 }
 
 int next_of_ant(Colony& colony, int node) {
-  const std::vector<int>& near = colony.near[node];
+  const std::vector<int>& near = at(colony.near, node);
   double sum = 0.0;
   colony.shares.clear();
   for (std::size_t k = 0; k < near.size(); ++k) {
-    if (colony.visited[near[k]] == 0) sum += colony.attraction[node][k];
+    if (at(colony.visited, near[k]) == 0) sum += at(colony.attraction, node)[k];
     colony.shares.push_back(sum);
   }
   if (!(sum > 0.0)) {
     const auto way = way_to(colony.search, node, {0, 1, 2, 3},
-                            [&](int other) { return colony.visited[other] == 0; });
+                            [&](int other) { return at(colony.visited, other) == 0; });
     return way.back();
   }
   const double drawn = draw_unit(colony.random) * sum;
@@ -59,12 +59,12 @@ std::vector<int> order_of_ant(Colony& colony) {
       problem.start >= 0 ? problem.start : draw_below(colony.random, problem.graph.size());
   const bool end_waits = problem.end >= 0 && problem.end != start;
   std::ranges::fill(colony.visited, char{0});
-  colony.visited[start] = 1;
-  if (end_waits) colony.visited[problem.end] = 1;
+  at(colony.visited, start) = 1;
+  if (end_waits) at(colony.visited, problem.end) = 1;
   std::vector<int> order = {start};
   while (static_cast<int>(order.size()) < problem.graph.size() - (end_waits ? 1 : 0)) {
     order.push_back(next_of_ant(colony, order.back()));
-    colony.visited[order.back()] = 1;
+    at(colony.visited, order.back()) = 1;
   }
   if (end_waits) order.push_back(problem.end);
   return order;
@@ -74,9 +74,10 @@ void lay_pheromone(Colony& colony, const std::vector<int>& order, double amount)
   for (std::size_t i = 1; i < order.size(); ++i) {
     for (const auto& [from, to] :
          {std::pair{order[i - 1], order[i]}, std::pair{order[i], order[i - 1]}}) {
-      const auto found = std::ranges::find(colony.near[from], to);
-      if (found == colony.near[from].end()) continue;
-      colony.pheromone[from][static_cast<std::size_t>(found - colony.near[from].begin())] += amount;
+      const std::vector<int>& near = at(colony.near, from);
+      const auto found = std::ranges::find(near, to);
+      if (found == near.end()) continue;
+      at(at(colony.pheromone, from), static_cast<int>(found - near.begin())) += amount;
     }
   }
 }

@@ -19,7 +19,7 @@ struct RowByRow {
 
 void visit(RowByRow& state, int node) {
   state.path.push_back(node);
-  state.covered[node] = 1;
+  at(state.covered, node) = 1;
 }
 
 template <typename Wanted>  // bool(int node)
@@ -37,10 +37,10 @@ void go_to(RowByRow& state, int goal) {
 
 bool is_open(const RowByRow& state, GridCell cell) {
   return is_free(state.map, cell) &&
-         state.covered[state.graph.node_of[index_of(state.map, cell)]] == 0;
+         at(state.covered, state.graph.node_of[index_of(state.map, cell)]) == 0;
 }
 
-GridCell cell_of(const RowByRow& state) { return state.graph.cells[state.path.back()]; }
+GridCell cell_of(const RowByRow& state) { return at(state.graph.cells, state.path.back()); }
 
 int node_of(const RowByRow& state, GridCell cell) {
   return state.graph.node_of[index_of(state.map, cell)];
@@ -78,7 +78,7 @@ void cover_rest(RowByRow& state) {
   auto left = std::ranges::count(state.covered, 0);
   while (left > 0) {
     stop_if(state.cancelled);
-    go_to_nearest(state, [&](int node) { return state.covered[node] == 0; });
+    go_to_nearest(state, [&](int node) { return at(state.covered, node) == 0; });
     --left;
   }
 }

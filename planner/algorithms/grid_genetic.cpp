@@ -101,9 +101,9 @@ std::vector<int> crossed(const std::vector<int>& one, const std::vector<int>& ot
   const int kept = 1 + draw_below(random, static_cast<int>(one.size()));
   std::vector<int> child(one.begin(), one.begin() + kept);
   std::vector<char> taken(one.size(), 0);
-  for (const int node : child) taken[node] = 1;
+  for (const int node : child) at(taken, node) = 1;
   for (const int node : other) {
-    if (taken[node] == 0) child.push_back(node);
+    if (at(taken, node) == 0) child.push_back(node);
   }
   return child;
 }
@@ -118,7 +118,7 @@ void mutate(const Evolution& evolution, std::vector<int>& order) {
   for (int i = 0; i < pairs; ++i) {
     const int a = places.first + draw_below(evolution.random, count);
     const int b = places.first + draw_below(evolution.random, count);
-    std::swap(order[a], order[b]);
+    std::swap(at(order, a), at(order, b));
   }
 }
 

@@ -42,9 +42,9 @@ struct Descent {
 
 void look_at(Descent& descent, int place) {
   if (place < 0 || place >= static_cast<int>(descent.order.size())) return;
-  const int node = descent.order[place];
-  if (descent.waits[node] != 0) return;
-  descent.waits[node] = 1;
+  const int node = at(descent.order, place);
+  if (at(descent.waits, node) != 0) return;
+  at(descent.waits, node) = 1;
   descent.to_look_at.push_back(node);
 }
 
@@ -63,7 +63,7 @@ void apply(Descent& descent, const Change& change) {
   }
   const int first = change.moves ? std::min(change.i, change.to + 1) : change.i;
   const int last = change.moves ? std::max(change.j, change.to) : change.j;
-  for (int i = first; i <= last; ++i) descent.place[descent.order[i]] = i;
+  for (int i = first; i <= last; ++i) at(descent.place, at(descent.order, i)) = i;
 }
 
 Change inverse(const Change& change) {
@@ -131,9 +131,9 @@ int longest_way(const Descent& descent, int place) {
   const DistanceTable& steps = *descent.cost.table;
   int longest = 0;
   const int last = static_cast<int>(descent.order.size()) - 1;
-  if (place > 0) longest = steps(descent.order[place - 1], descent.order[place]);
+  if (place > 0) longest = steps(at(descent.order, place - 1), at(descent.order, place));
   if (place < last) {
-    longest = std::max(longest, steps(descent.order[place], descent.order[place + 1]));
+    longest = std::max(longest, steps(at(descent.order, place), at(descent.order, place + 1)));
   }
   return longest;
 }
@@ -150,12 +150,12 @@ bool costs_extra(const Descent& descent, int place) {
 }
 
 bool improve_at(Descent& descent, int node) {
-  const int place = descent.place[node];
+  const int place = at(descent.place, node);
   if (!costs_extra(descent, place)) return false;
   const int longest = longest_way(descent, place);
-  for (const int near : descent.near[node]) {
+  for (const int near : at(descent.near, node)) {
     if (descent.cost.lengths_only && (*descent.cost.table)(node, near) >= longest) return false;
-    if (improve_pair(descent, place, descent.place[near])) return true;
+    if (improve_pair(descent, place, at(descent.place, near))) return true;
   }
   return false;
 }
@@ -164,7 +164,7 @@ void descend(Descent& descent) {
   while (!descent.to_look_at.empty()) {
     const int node = descent.to_look_at.back();
     descent.to_look_at.pop_back();
-    descent.waits[node] = 0;
+    at(descent.waits, node) = 0;
     while (improve_at(descent, node)) {
     }
   }
@@ -209,7 +209,7 @@ Descent begun_descent(const OrderCost& cost, const GridProblem& problem, SeededR
       std::vector<char>(problem.graph.cells.size(), 0),
       {}};
   for (int i = problem.graph.size() - 1; i >= 0; --i) {
-    descent.place[descent.order[i]] = i;
+    at(descent.place, at(descent.order, i)) = i;
     look_at(descent, i);
   }
   return descent;

@@ -26,7 +26,7 @@ int population_of(const GridPlanRequest& request) {
 void learn_from_any(OrderSearch& search, Population& population, int i, int among, int k) {
   if (among < 1) return;
   const int teacher = draw_below(search.random, among);
-  if (teacher != i) learn(search, population[i], population[teacher], k, Keep::kNotWorse);
+  if (teacher != i) learn(search, at(population, i), at(population, teacher), k, Keep::kNotWorse);
 }
 
 struct Transformations {
@@ -53,10 +53,10 @@ void transform(OrderSearch& search, Individual& one, int k, const Transformation
 
 // Whether the node at place k is followed by the same one in both orders.
 bool shares_pair(const Individual& one, const Individual& other, int k) {
-  const int there = other.place[one.order[k]];
+  const int there = at(other.place, at(one.order, k));
   return k + 1 < static_cast<int>(one.order.size()) &&
          there + 1 < static_cast<int>(other.order.size()) &&
-         one.order[k + 1] == other.order[there + 1];
+         at(one.order, k + 1) == at(other.order, there + 1);
 }
 
 const ParameterSpec& population_spec() {
@@ -91,7 +91,7 @@ GridPlan plan_grid_gwo(const GridPlanRequest& request) {
       if (std::abs(a * (2.0 * draw_unit(search.random) - 1.0)) < 1.0) {
         learn_from_any(search, population, i, kLeaders, k);
       } else {
-        perturb_weakly(search, population[i], k, Keep::kNotWorse);
+        perturb_weakly(search, at(population, i), k, Keep::kNotWorse);
       }
     }
   };
@@ -108,11 +108,11 @@ GridPlan plan_grid_spbo(const GridPlanRequest& request) {
       if (group == 0) {
         learn_from_any(search, population, i, size, k);
       } else if (group == 1) {
-        learn(search, population[i], best, k, Keep::kNotWorse);
+        learn(search, at(population, i), best, k, Keep::kNotWorse);
       } else if (group == 2) {
         learn_from_any(search, population, i, i, k);
       } else {
-        perturb_weakly(search, population[i], k, Keep::kNotWorse);
+        perturb_weakly(search, at(population, i), k, Keep::kNotWorse);
       }
     }
   };
@@ -129,10 +129,10 @@ GridPlan plan_grid_djaya(const GridPlanRequest& request) {
     const Individual& worst = population.back();
     for (int k = search.places.first; k < search.places.end; ++k) {
       if (draw_unit(search.random) < st1) {
-        learn(search, population[i], best, k, Keep::kNotWorse);
+        learn(search, at(population, i), best, k, Keep::kNotWorse);
       }
-      if (draw_unit(search.random) < st2 || shares_pair(population[i], worst, k)) {
-        transform(search, population[i], k, shares);
+      if (draw_unit(search.random) < st2 || shares_pair(at(population, i), worst, k)) {
+        transform(search, at(population, i), k, shares);
       }
     }
   };
@@ -148,11 +148,11 @@ GridPlan plan_grid_dtsa(const GridPlanRequest& request) {
                            const Individual& best) {
     for (int k = search.places.first; k < search.places.end; ++k) {
       if (draw_unit(search.random) < st1) {
-        learn(search, population[i], best, k, Keep::kNotWorse);
+        learn(search, at(population, i), best, k, Keep::kNotWorse);
       } else {
         learn_from_any(search, population, i, static_cast<int>(population.size()), k);
       }
-      if (draw_unit(search.random) < st2) transform(search, population[i], k, shares);
+      if (draw_unit(search.random) < st2) transform(search, at(population, i), k, shares);
     }
   };
   return plan_by_population(request,

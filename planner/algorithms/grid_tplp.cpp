@@ -46,7 +46,7 @@ std::array<int, 3> ends_of_groups(int population, const Parameters& parameters) 
 
 void improve_one(OrderSearch& search, std::vector<Individual>& population, int i,
                  const Individual& best, const std::array<int, 3>& ends, const TplpRule& rule) {
-  Individual& one = population[i];
+  Individual& one = at(population, i);
   const int count = rule.random_places ? kRandomPlaces : search.places.end - search.places.first;
   for (int step = 0; step < count; ++step) {
     const int k = rule.random_places ? draw_place(search) : search.places.first + step;
@@ -56,7 +56,7 @@ void improve_one(OrderSearch& search, std::vector<Individual>& population, int i
       learn(search, one, best, k, rule.pop2);
     } else if (i < ends[1]) {
       const int teacher = draw_below(search.random, static_cast<int>(population.size()));
-      if (teacher != i) learn(search, one, population[teacher], k, rule.others);
+      if (teacher != i) learn(search, one, at(population, teacher), k, rule.others);
     } else {
       perturb_weakly(search, one, k, rule.others);
     }

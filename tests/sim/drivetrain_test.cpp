@@ -119,11 +119,15 @@ TEST(Drivetrain, HoldsSpinningWheelsBack) {
   rig.vehicle.drivetrain.motor_per_wheel = true;
   rig.vehicle.front.driven = rig.vehicle.rear.driven = true;
   const MotorLayout layout = motor_layout(rig.vehicle);
-  PerWheel<double> hub_mps{};
-  hub_mps.fill(2.0);
-  const PerWheel<double> rim_mps{2.0, 2.29, 2.4, 1.6};  // free: 2.0 +- 0.3
+  ChassisState chassis;
+  chassis.v_W = {2.0, 0.0, 0.0};
+  PerWheel<WheelState> states;
+  constexpr PerWheel<double> kRim_mps{2.0, 2.29, 2.4, 1.6};  // free: 2.0 +- 0.3
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    states[i].spin_rad_per_s = kRim_mps[i] / rig.wheels[i].radius_m;
+  }
   PerMotor<double> torque_nm{};
-  limit_slip(rig.vehicle, layout, rig.wheels, rim_mps, hub_mps, torque_nm);
+  limit_slip(rig.vehicle, layout, rig.wheels, rig.contacts, states, chassis, torque_nm);
   const auto held_nm = [&](std::size_t wheel, double beyond_mps) {
     const WheelDefinition& w = rig.wheels[wheel];
     return -kSlipGain_per_s * w.inertia_kg_m2 * beyond_mps / w.radius_m;
@@ -134,7 +138,8 @@ TEST(Drivetrain, HoldsSpinningWheelsBack) {
   EXPECT_NEAR(torque_nm[3], held_nm(3, -0.1), 1e-9);
   rig.vehicle.drivetrain.motor_per_wheel = false;
   torque_nm.fill(7.0);
-  limit_slip(rig.vehicle, motor_layout(rig.vehicle), rig.wheels, rim_mps, hub_mps, torque_nm);
+  limit_slip(rig.vehicle, motor_layout(rig.vehicle), rig.wheels, rig.contacts, states, chassis,
+             torque_nm);
   EXPECT_EQ(torque_nm[0], 7.0);
 }
 
