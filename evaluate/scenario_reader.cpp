@@ -6,6 +6,7 @@
 #include "evaluate/scenario.h"
 #include "evaluate/scenario_keys.h"
 #include "evaluate/scenario_soil.h"
+#include "evaluate/yaml_parameters.h"
 #include "evaluate/yaml_section.h"
 #include "planner/planners.h"
 #include "terrains/input_error.h"
@@ -115,31 +116,6 @@ FieldSource read_field_source(const YamlSection& top, const fs::path& folder) {
   return field;
 }
 
-std::vector<std::string> names_of(std::span<const ParameterSpec> specs) {
-  std::vector<std::string> names;
-  for (const ParameterSpec& spec : specs) names.emplace_back(spec.name);
-  return names;
-}
-
-// Parameters stand beside the section's own keys. One at a time, so that a message has its line.
-Parameters read_parameters(const YamlSection& section, std::span<const ParameterSpec> specs) {
-  Parameters given;
-  for (const ParameterSpec& spec : specs) {
-    const std::string name(spec.name);
-    const auto text = read_word(section, name, allowed_values(spec));
-    if (!text) continue;
-    const auto value = parse_number(*text);
-    // A word where a number belongs (or NaN) is refused by resolve_parameters, which knows.
-    const ParameterValue parameter =
-        value && takes_number(spec) ? ParameterValue(*value) : ParameterValue(*text);
-    const std::string place = place_of(section, name);
-    const std::string where = place.substr(0, place.size() - name.size() - 1);
-    resolve_parameters(specs, {{name, parameter}}, section.source, where);
-    given[name] = parameter;
-  }
-  return resolve_parameters(specs, given, section.source, section.path);
-}
-
 const GeneratorEntry& find_generator(const YamlSection& section, const std::string& name) {
   std::vector<std::string> known;
   for (const GeneratorEntry& entry : generators()) {
@@ -168,7 +144,7 @@ void read_terrain_source(const YamlSection& top, const fs::path& folder, Scenari
   if (terrain.file.empty()) {
     const GeneratorEntry& entry = find_generator(section, generator.value_or(terrain.generator));
     terrain.generator = entry.name;
-    const std::vector<std::string> own = names_of(entry.parameters);
+    const std::vector<std::string> own = parameter_names(entry.parameters);
     known.insert(known.end(), own.begin(), own.end());
     refuse_unknown_keys(section, known);
     terrain.parameters = read_parameters(section, entry.parameters);
@@ -217,7 +193,7 @@ PlannerChoice read_planner(const YamlSection& top) {
                                            top.source + ": " + place.substr(0, place.find(':')));
   choice.name = entry.name;
   std::vector<std::string> known = keys_in_section("planner");
-  const std::vector<std::string> own = names_of(entry.parameters);
+  const std::vector<std::string> own = parameter_names(entry.parameters);
   known.insert(known.end(), own.begin(), own.end());
   refuse_unknown_keys(section, known);
   choice.parameters = read_parameters(section, entry.parameters);
