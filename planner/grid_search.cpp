@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "planner/order_cost.h"
 #include "terrains/input_error.h"
 
@@ -80,6 +82,20 @@ bool next_iteration(GridSearch& search) {
   if (goes_on(search)) search.stopped_by = reason_not_to_iterate(search);
   if (!search.stopped_by) ++search.iteration;
   return !search.stopped_by;
+}
+
+double share_over(const GridSearch& search) {
+  const GridStop& stop = search.stop;
+  double share = std::max(0, search.iteration - 1) / static_cast<double>(stop.iterations);
+  if (stop.evaluations > 0) {
+    share = std::max(
+        share, static_cast<double>(search.evaluations) / static_cast<double>(stop.evaluations));
+  }
+  if (stop.seconds > 0.0) {
+    const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - search.begun;
+    share = std::max(share, gone.count() / stop.seconds);
+  }
+  return std::min(1.0, share);
 }
 
 bool note_cost(GridSearch& search, double cost) {

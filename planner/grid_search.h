@@ -59,6 +59,11 @@ bool next_iteration(GridSearch& search);
 // Whether the running iteration is to be finished; once it says no it stays so. Throws Cancelled.
 bool goes_on(GridSearch& search);
 
+// The share [0, 1] of the search that was over when its running iteration began, by whichever limit
+// is nearest: what planners that change their ways towards the end go by. Stagnation is no limit
+// that comes nearer.
+double share_over(const GridSearch& search);
+
 // Says that a plan of this cost is known. True when it is the best so far by more than rounding.
 bool note_cost(GridSearch& search, double cost);
 

@@ -85,8 +85,7 @@ std::span<const ParameterSpec> grid_dtsa_parameters() { return transforming_para
 GridPlan plan_grid_gwo(const GridPlanRequest& request) {
   constexpr int kLeaders = 3;
   const auto improve = [](OrderSearch& search, Population& population, int i, const Individual&) {
-    const double gone = (search.search.iteration - 1.0) / search.search.stop.iterations;
-    const double a = 2.0 * (1.0 - gone);
+    const double a = 2.0 * (1.0 - share_over(search.search));
     for (int k = search.places.first; k < search.places.end; ++k) {
       if (std::abs(a * (2.0 * draw_unit(search.random) - 1.0)) < 1.0) {
         learn_from_any(search, population, i, kLeaders, k);

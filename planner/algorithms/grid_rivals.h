@@ -19,9 +19,9 @@ std::span<const ParameterSpec> grid_spbo_parameters();
 std::span<const ParameterSpec> grid_djaya_parameters();
 std::span<const ParameterSpec> grid_dtsa_parameters();
 
-// Grey wolf optimizer (Mirjalili, Mirjalili, Lewis 2014). a falls from 2 to 0 over the iterations;
-// at each place A = a (2 r - 1) is drawn. |A| < 1 attacks: learns from one of the three best, each
-// as likely; else searches: is perturbed weakly.
+// Grey wolf optimizer (Mirjalili, Mirjalili, Lewis 2014). a falls from 2 to 0 over the search
+// (share_over); at each place A = a (2 r - 1) is drawn. |A| < 1 attacks: learns from one of the
+// three best, each as likely; else searches: is perturbed weakly.
 GridPlan plan_grid_gwo(const GridPlanRequest& request);
 
 // Student psychology based optimization (Das, Mukherjee, Das 2020). Sorted into four groups as

@@ -219,6 +219,22 @@ TEST(GridStops, AtTheFirstLimit) {
 }
 
 // Wu et al. 2023, Table 1 (repeats there in m2 of 4 m2 cells).
+TEST(GridStops, TheShareThatIsOverIsThatOfTheNearestLimit) {
+  GridSearch search;
+  search.stop = {.iterations = 100, .evaluations = 1000, .seconds = 0.0, .stagnation = 5};
+  EXPECT_EQ(share_over(search), 0.0);
+  search.iteration = 11;
+  search.evaluations = 50;
+  EXPECT_EQ(share_over(search), 0.1);
+  search.evaluations = 600;
+  EXPECT_EQ(share_over(search), 0.6);
+  search.evaluations = 2000;
+  EXPECT_EQ(share_over(search), 1.0);
+  search.stop.evaluations = 0;
+  search.stop.seconds = 1e-9;
+  EXPECT_EQ(share_over(search), 1.0);
+}
+
 TEST(GridBoustrophedon, GivesThePapersTable) {
   using Row = std::tuple<const char*, int, int, int>;
   for (const auto& [name, repeats, turns, u_turns] :
