@@ -50,7 +50,7 @@ std::vector<int> greedy_order(const GridProblem& problem, const DistanceTable& t
     const int most = *std::ranges::max_element(table.steps);
     for (int steps = 1; steps <= most; ++steps) weight.push_back(std::pow(steps, -lambda));
   }
-  const int start = problem.start >= 0 ? problem.start : draw_below(random, problem.graph.size());
+  const int start = first_node(problem, random);
   std::vector<int> rest;
   std::vector<int> place_in_rest(problem.graph.cells.size(), -1);
   for (int node = 0; node < problem.graph.size(); ++node) {
@@ -70,7 +70,7 @@ std::vector<int> greedy_order(const GridProblem& problem, const DistanceTable& t
     rest.pop_back();
     at(place_in_rest, next) = -1;
   }
-  if (problem.end >= 0 && problem.end != start) order.push_back(problem.end);
+  if (problem.end >= 0 && problem.graph.size() > 1) order.push_back(problem.end);
   return order;
 }
 

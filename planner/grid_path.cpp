@@ -4,15 +4,6 @@
 
 namespace headland {
 
-std::vector<int> expanded(const GridGraph& graph, const DistanceTable& table,
-                          const std::vector<int>& order) {
-  std::vector<int> path = {order.front()};
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    append_way(graph, table, order[i - 1], order[i], path);
-  }
-  return path;
-}
-
 std::vector<int> adjusted(const GridGraph& graph, const DistanceTable& table,
                           const std::vector<int>& order, bool keep_end) {
   std::vector<int> path = {order.front()};

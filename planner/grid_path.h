@@ -1,4 +1,4 @@
-// Orders of cells made paths of steps, and what is counted on paths.
+// Chromosomes made paths of steps, and what is counted on paths.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,9 @@
 
 namespace headland {
 
-// Every node of the order in turn, joined by append_way; what is passed on the way is visited again
-// when its turn comes. The path whose length Wang et al. 2025 minimise (Eq 2).
-std::vector<int> expanded(const GridGraph& graph, const DistanceTable& table,
-                          const std::vector<int>& order);
-
-// The chromosome Y of Wu et al. 2023, 2.2.1: as `expanded`, but a node that was passed on the way
-// is dropped from the rest of the order. Ends at order.back() when `keep_end`, which then may be
-// visited once more.
+// The chromosome Y of Wu et al. 2023, 2.2.1: every node of the order in turn, joined by append_way;
+// a node that was passed on the way is dropped from the rest of the order. Ends at order.back()
+// when `keep_end`, which then may be visited once more.
 std::vector<int> adjusted(const GridGraph& graph, const DistanceTable& table,
                           const std::vector<int>& order, bool keep_end);
 

@@ -10,6 +10,20 @@
 
 namespace headland {
 
+namespace {
+
+void close(const GridPlanRequest& request, GridProblem& problem) {
+  if (request.start && request.end && *request.start != *request.end) {
+    throw InputError(kGridPlanSource, "end",
+                     fmt::format("{}, {}", request.end->column, request.end->row),
+                     fmt::format("the start, {}, {}, or none: the tour is closed",
+                                 request.start->column, request.start->row));
+  }
+  problem.start = problem.end = std::max({problem.start, problem.end, 0});
+}
+
+}  // namespace
+
 double repeat_rate(const GridPlan& plan) {
   return static_cast<double>(plan.counts.repeats) / plan.counts.distinct_cells;
 }
@@ -25,33 +39,9 @@ GridProblem grid_problem(const GridPlanRequest& request) {
   if (request.end) {
     problem.end = node_at(request.map, problem.graph, *request.end, kGridPlanSource, "end");
   }
-  if (problem.start >= 0 && problem.start == problem.end && problem.graph.size() > 1) {
-    throw InputError(kGridPlanSource, "end",
-                     fmt::format("{}, {}", request.end->column, request.end->row),
-                     "another cell than the start");
-  }
+  if (request.closed) close(request, problem);
+  problem.closed = problem.start >= 0 && problem.start == problem.end && problem.graph.size() > 1;
   return problem;
-}
-
-int least_steps(const GridProblem& problem) {
-  const auto colour = [&](int node) {
-    const GridCell cell = at(problem.graph.cells, node);
-    return (cell.column + cell.row) % 2;
-  };
-  int light = 0;  // more than dark ones
-  for (int node = 0; node < problem.graph.size(); ++node) light += colour(node) == 0 ? 1 : -1;
-  // How many more light visits than dark ones a path has follows from its ends.
-  const auto by_end = [&](int node) { return colour(node) == 0 ? 1 : -1; };
-  int extra = 0;
-  if (problem.start >= 0 && problem.end >= 0) {
-    extra = std::abs(light - (by_end(problem.start) + by_end(problem.end)) / 2);
-  } else if (problem.start >= 0 || problem.end >= 0) {
-    const int given = by_end(std::max(problem.start, problem.end));
-    extra = std::min(std::abs(light), std::abs(light - given));
-  } else {
-    extra = std::max(0, std::abs(light) - 1);
-  }
-  return problem.graph.size() - 1 + extra;
 }
 
 GridSearch begun_search(const GridPlanRequest& request) {
@@ -81,9 +71,17 @@ GridPlan finished_plan(const GridPlanRequest& request, const GridProblem& proble
   return plan;
 }
 
+int first_node(const GridProblem& problem, SeededRandom& random) {
+  if (problem.start >= 0) return problem.start;
+  if (problem.end < 0 || problem.graph.size() == 1) return draw_below(random, problem.graph.size());
+  const int drawn = draw_below(random, problem.graph.size() - 1);
+  return drawn < problem.end ? drawn : drawn + 1;
+}
+
 std::vector<int> random_order(const GridProblem& problem, SeededRandom& random) {
   std::vector<int> order(problem.graph.cells.size());
   std::iota(order.begin(), order.end(), 0);
+  if (problem.closed) order.push_back(problem.end);
   if (problem.start >= 0) std::swap(order.front(), *std::ranges::find(order, problem.start));
   if (problem.end >= 0) std::swap(order.back(), *std::ranges::find(order, problem.end));
   const FreePlaces places = free_places(problem);
@@ -92,8 +90,9 @@ std::vector<int> random_order(const GridProblem& problem, SeededRandom& random) 
 }
 
 FreePlaces free_places(const GridProblem& problem) {
-  return {problem.start >= 0 ? 1 : 0,
-          problem.graph.size() - (problem.end >= 0 && problem.graph.size() > 1 ? 1 : 0)};
+  const int size = problem.graph.size();
+  if (problem.closed) return {1, size};
+  return {problem.start >= 0 ? 1 : 0, size - (problem.end >= 0 && size > 1 ? 1 : 0)};
 }
 
 }  // namespace headland

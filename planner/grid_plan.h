@@ -18,7 +18,8 @@ namespace headland {
 struct GridPlanRequest {
   GridMap map;
   std::optional<GridCell> start;  // where the path begins; none: the planner chooses
-  std::optional<GridCell> end;    // likewise; not the start, unless there is no other cell
+  std::optional<GridCell> end;    // likewise; the start: a closed tour
+  bool closed = false;            // ends where it begins; neither end given: in node 0 of the graph
   GridCost cost;
   GridStop stop;
   Parameters parameters;  // resolved against the planner's specs
@@ -47,16 +48,12 @@ struct GridProblem {
   GridGraph graph;
   int start = -1;  // node; -1: free
   int end = -1;
+  bool closed = false;  // start and end are the same of several nodes
 };
 
-// Throws InputError as grid_graph, check_grid_cost and check_grid_stop, and for a start or end that
-// is no free cell, or both the same while there are others.
+// Throws InputError as grid_graph, check_grid_cost and check_grid_stop, for a start or end that is
+// no free cell, and for different ones of a closed tour.
 GridProblem grid_problem(const GridPlanRequest& request);
-
-// No path that visits every cell and keeps start and end is shorter [steps]: all cells but one, and
-// since steps change between the colours of a chessboard, what one colour has too many. Far from
-// tight on maps whose obstacles make dead ends.
-int least_steps(const GridProblem& problem);
 
 // A search that runs by the request's limits.
 GridSearch begun_search(const GridPlanRequest& request);
@@ -69,7 +66,11 @@ GridPlan finished_plan(const GridPlanRequest& request, const GridProblem& proble
 // What messages about a request name as its source.
 inline const std::string kGridPlanSource = "grid plan";
 
-// A random order with the start first and the end last, as far as they are given.
+// The start; when it is free, any node but the end.
+int first_node(const GridProblem& problem, SeededRandom& random);
+
+// A random order of all nodes with the start first and the end last, as far as they are given; a
+// closed tour's start is both.
 std::vector<int> random_order(const GridProblem& problem, SeededRandom& random);
 
 // The places of an order that may change: [first, end).

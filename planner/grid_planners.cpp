@@ -7,9 +7,12 @@
 #include "planner/algorithms/grid_ant_colony.h"
 #include "planner/algorithms/grid_boustrophedon.h"
 #include "planner/algorithms/grid_genetic.h"
+#include "planner/algorithms/grid_grey_wolf.h"
+#include "planner/algorithms/grid_jaya.h"
 #include "planner/algorithms/grid_local_search.h"
-#include "planner/algorithms/grid_rivals.h"
+#include "planner/algorithms/grid_student_psychology.h"
 #include "planner/algorithms/grid_tplp.h"
+#include "planner/algorithms/grid_tree_seed.h"
 #include "terrains/input_error.h"
 
 namespace headland {

@@ -1,192 +1,182 @@
 #include "planner/order_cost.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <initializer_list>
 #include <utility>
 
 namespace headland {
 namespace {
 
-// The way between two nodes: what it costs by itself, and its first and last directions.
-struct Leg {
-  double cost = 0.0;
-  int first = 0;
-  int last = 0;
+using Order = std::vector<int>;
+
+int last_place(const Order& order) { return static_cast<int>(order.size()) - 1; }
+
+// order[from] .. order[to] as they stand, or from `to` back to `from`; none when from > to.
+struct Stretch {
+  int from = 0;
+  int to = 0;
+  bool turned_round = false;
 };
 
-double turn_cost(const CostShares& shares, int one, int next) {
-  if (is_turn(one, next)) return shares.turn;
-  return is_u_turn(one, next) ? shares.u_turn : 0.0;
-}
-
-double step_cost(const OrderCost& cost, int from, int to) {
-  if (cost.graph->height_m.empty()) return cost.shares.step;
-  const StepSlope slope = slope_of_step(*cost.graph, from, to);
-  return cost.shares.step + cost.shares.level * slope.level_m + cost.shares.climb * slope.climb_m;
-}
-
-Leg leg_between(const OrderCost& cost, int from, int to) {
-  const int beside = direction_between(*cost.graph, from, to);
-  if (beside >= 0) return {step_cost(cost, from, to), beside, beside};
-  // Ways are the same in both directions, so that turning a section round leaves its cost.
-  thread_local std::vector<int> way;
-  way.assign(1, from);
-  append_way(*cost.graph, *cost.table, from, to, way);
-  Leg leg;
-  int before = -1;
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const int direction = direction_between(*cost.graph, way[i - 1], way[i]);
-    leg.cost += step_cost(cost, way[i - 1], way[i]);
-    if (before < 0) {
-      leg.first = direction;
-    } else {
-      leg.cost += turn_cost(cost.shares, before, direction);
+double cost_of_parts(const OrderCost& cost, const Order& order,
+                     std::initializer_list<Stretch> parts) {
+  OrderWalk walk{cost};
+  for (const Stretch& part : parts) {
+    for (int i = 0; i <= part.to - part.from; ++i) {
+      walk_on(walk, at(order, part.turned_round ? part.to - i : part.from + i));
     }
-    before = direction;
   }
-  leg.last = before;
-  return leg;
+  return cost_of_walk(walk);
 }
 
-// How many places before and after a changed one have to be looked at.
-int reach_of(const OrderCost& cost) { return cost.lengths_only ? 1 : 2; }
-
-// Nodes of a section with their surroundings; places outside the order are left out.
-void take(const std::vector<int>& order, int from, int to, std::vector<int>& nodes) {
-  const int last = static_cast<int>(order.size()) - 1;
-  for (int i = std::max(0, from); i <= std::min(last, to); ++i) nodes.push_back(at(order, i));
+// The last place from `place` back that begins a fixed way to one not after `place`, else `least`:
+// what lies before has no part in what changes after `place`.
+int place_before(const OrderCost& cost, const Order& order, int place, int least) {
+  for (int i = place - 1; i >= least; --i) {
+    if (is_fixed_way(cost, at(order, i), at(order, i + 1))) return i;
+  }
+  return least;
 }
 
-void take_turned(const std::vector<int>& order, int from, int to, std::vector<int>& nodes) {
-  for (int i = to; i >= from; --i) nodes.push_back(at(order, i));
+// Likewise the first place after `place` that ends a fixed way, else `most`.
+int place_after(const OrderCost& cost, const Order& order, int place, int most) {
+  for (int i = place + 1; i <= most; ++i) {
+    if (is_fixed_way(cost, at(order, i - 1), at(order, i))) return i;
+  }
+  return most;
 }
 
-// A list that is filled anew by each change looked at.
-std::vector<int>& cleared(std::vector<int>& nodes) {
-  nodes.clear();
-  return nodes;
+// Whether a fixed way lies between two places of a stretch that is found by the two above.
+bool is_parted(const OrderCost& cost, const Order& order, int from, int to) {
+  const int end = place_after(cost, order, from, to);
+  return end > from && is_fixed_way(cost, at(order, end - 1), at(order, end));
 }
 
-thread_local std::vector<int> old_nodes;
-thread_local std::vector<int> new_nodes;
+int steps_between(const OrderCost& cost, const Order& order, int i, int j) {
+  const bool both = i >= 0 && j >= 0 && std::max(i, j) <= last_place(order);
+  return both ? (*cost.table)(at(order, i), at(order, j)) : 0;
+}
 
-double change_of_window(const OrderCost& cost, const std::vector<int>& order, int from, int to) {
-  take(order, from, to, cleared(old_nodes));
-  return section_cost(cost, new_nodes) - section_cost(cost, old_nodes);
+int least_steps_between(const OrderCost& cost, const Order& order, int i, int j) {
+  const GridCell one = at(cost.graph->cells, at(order, i));
+  const GridCell other = at(cost.graph->cells, at(order, j));
+  return std::abs(one.column - other.column) + std::abs(one.row - other.row);
+}
+
+double length_change_by_reversal(const OrderCost& cost, const Order& order, int i, int j,
+                                 double most) {
+  const bool before = i > 0;
+  const bool after = j < last_place(order);
+  const DistanceTable& steps = *cost.table;
+  int change = 0;
+  if (before) change -= steps(at(order, i - 1), at(order, i));
+  if (after) change -= steps(at(order, j), at(order, j + 1));
+  // Distances around nothing need no look into the table, which is large.
+  const int least = (before ? least_steps_between(cost, order, i - 1, j) : 0) +
+                    (after ? least_steps_between(cost, order, i, j + 1) : 0);
+  if (cost.shares.step * (change + least) > most) return cost.shares.step * (change + least);
+  if (before) change += steps(at(order, i - 1), at(order, j));
+  if (after) change += steps(at(order, i), at(order, j + 1));
+  return cost.shares.step * change;
+}
+
+double length_change_by_move(const OrderCost& cost, const Order& order, int i, int j, int to,
+                             bool turned_round) {
+  const auto steps = [&](int one, int other) { return steps_between(cost, order, one, other); };
+  const int first = turned_round ? j : i;
+  const int last = turned_round ? i : j;
+  return cost.shares.step * (steps(i - 1, j + 1) + steps(to, first) + steps(last, to + 1) -
+                             steps(i - 1, i) - steps(j, j + 1) - steps(to, to + 1));
+}
+
+double length_change_by_swap(const OrderCost& cost, const Order& order, int i, int j) {
+  const auto steps = [&](int one, int other) { return steps_between(cost, order, one, other); };
+  int change = steps(i - 1, j) + steps(i, j + 1) - steps(i - 1, i) - steps(j, j + 1);
+  if (j > i + 1) {
+    change += steps(j, i + 1) + steps(j - 1, i) - steps(i, i + 1) - steps(j - 1, j);
+  }
+  return cost.shares.step * change;
 }
 
 }  // namespace
 
-OrderCost order_cost(const GridGraph& graph, const DistanceTable& table, const GridCost& cost) {
-  OrderCost result{&graph, &table, cost_shares(cost, graph), true};
-  const CostShares& shares = result.shares;
-  result.lengths_only =
-      !(shares.turn > 0.0 || shares.u_turn > 0.0 || shares.level > 0.0 || shares.climb > 0.0);
-  return result;
+double full_cost(const OrderCost& cost, std::span<const int> order) {
+  if (!cost.lengths_only) {
+    OrderWalk walk{cost};
+    for (const int node : order) walk_on(walk, node);
+    return cost.shares.constant + cost_of_walk(walk);
+  }
+  int steps = 0;
+  for (std::size_t i = 1; i < order.size(); ++i) steps += (*cost.table)(order[i - 1], order[i]);
+  return cost.shares.constant + cost.shares.step * steps;
 }
 
-double full_cost(const OrderCost& cost, const std::vector<int>& order) {
-  return cost.shares.constant + section_cost(cost, order);
+double change_by_reversal(const OrderCost& cost, const Order& order, int i, int j, double most) {
+  if (cost.lengths_only) return length_change_by_reversal(cost, order, i, j, most);
+  const int begin = place_before(cost, order, i - 1, 0);
+  const int end = place_after(cost, order, j + 1, last_place(order));
+  if (!is_parted(cost, order, i, j)) {
+    return cost_of_parts(cost, order, {{begin, i - 1}, {i, j, true}, {j + 1, end}}) -
+           cost_of_parts(cost, order, {{begin, end}});
+  }
+  const int inner_end = place_after(cost, order, i, j);
+  const int inner_begin = place_before(cost, order, j, i);
+  return cost_of_parts(cost, order, {{begin, i - 1}, {inner_begin, j, true}}) +
+         cost_of_parts(cost, order, {{i, inner_end, true}, {j + 1, end}}) -
+         cost_of_parts(cost, order, {{begin, inner_end}}) -
+         cost_of_parts(cost, order, {{inner_begin, end}});
 }
 
-double section_cost(const OrderCost& cost, std::span<const int> nodes) {
-  if (cost.lengths_only) {
-    int steps = 0;
-    for (std::size_t i = 1; i < nodes.size(); ++i) steps += (*cost.table)(nodes[i - 1], nodes[i]);
-    return cost.shares.step * steps;
-  }
-  double sum = 0.0;
-  int before = -1;
-  for (std::size_t i = 1; i < nodes.size(); ++i) {
-    const Leg leg = leg_between(cost, nodes[i - 1], nodes[i]);
-    if (before >= 0) sum += turn_cost(cost.shares, before, leg.first);
-    sum += leg.cost;
-    before = leg.last;
-  }
-  return sum;
-}
-
-double change_by_reversal(const OrderCost& cost, const std::vector<int>& order, int i, int j) {
-  if (cost.lengths_only) {
-    const int last = static_cast<int>(order.size()) - 1;
-    const DistanceTable& steps = *cost.table;
-    int change = 0;
-    if (i > 0)
-      change += steps(at(order, i - 1), at(order, j)) - steps(at(order, i - 1), at(order, i));
-    if (j < last)
-      change += steps(at(order, i), at(order, j + 1)) - steps(at(order, j), at(order, j + 1));
-    return cost.shares.step * change;
-  }
-  if (j - i <= 2) {
-    take(order, i - 2, i - 1, cleared(new_nodes));
-    take_turned(order, i, j, new_nodes);
-    take(order, j + 1, j + 2, new_nodes);
-    return change_of_window(cost, order, i - 2, j + 2);
-  }
-  take(order, i - 2, i - 1, cleared(new_nodes));
-  take_turned(order, j - 1, j, new_nodes);
-  double change = change_of_window(cost, order, i - 2, i + 1);
-  take_turned(order, i, i + 1, cleared(new_nodes));
-  take(order, j + 1, j + 2, new_nodes);
-  change += change_of_window(cost, order, j - 1, j + 2);
-  return change;
-}
-
-double change_by_swap(const OrderCost& cost, const std::vector<int>& order, int i, int j) {
+double change_by_swap(const OrderCost& cost, const Order& order, int i, int j) {
   if (i == j) return 0.0;
   if (i > j) std::swap(i, j);
-  const int reach = reach_of(cost);
-  if (j - i <= reach) {
-    take(order, i - reach, i - 1, cleared(new_nodes));
-    new_nodes.push_back(at(order, j));
-    take(order, i + 1, j - 1, new_nodes);
-    new_nodes.push_back(at(order, i));
-    take(order, j + 1, j + reach, new_nodes);
-    return change_of_window(cost, order, i - reach, j + reach);
+  if (cost.lengths_only) return length_change_by_swap(cost, order, i, j);
+  const int begin = place_before(cost, order, i - 1, 0);
+  const int end = place_after(cost, order, j + 1, last_place(order));
+  if (j - i < 2 || !is_parted(cost, order, i + 1, j - 1)) {
+    return cost_of_parts(cost, order,
+                         {{begin, i - 1}, {j, j}, {i + 1, j - 1}, {i, i}, {j + 1, end}}) -
+           cost_of_parts(cost, order, {{begin, end}});
   }
-  take(order, i - reach, i - 1, cleared(new_nodes));
-  new_nodes.push_back(at(order, j));
-  take(order, i + 1, i + reach, new_nodes);
-  double change = change_of_window(cost, order, i - reach, i + reach);
-  take(order, j - reach, j - 1, cleared(new_nodes));
-  new_nodes.push_back(at(order, i));
-  take(order, j + 1, j + reach, new_nodes);
-  change += change_of_window(cost, order, j - reach, j + reach);
-  return change;
+  const int inner_end = place_after(cost, order, i + 1, j - 1);
+  const int inner_begin = place_before(cost, order, j - 1, i + 1);
+  return cost_of_parts(cost, order, {{begin, i - 1}, {j, j}, {i + 1, inner_end}}) +
+         cost_of_parts(cost, order, {{inner_begin, j - 1}, {i, i}, {j + 1, end}}) -
+         cost_of_parts(cost, order, {{begin, inner_end}}) -
+         cost_of_parts(cost, order, {{inner_begin, end}});
 }
 
-double change_by_move(const OrderCost& cost, const std::vector<int>& order, int i, int j, int to,
+double change_by_move(const OrderCost& cost, const Order& order, int i, int j, int to,
                       bool turned_round) {
-  const int reach = reach_of(cost);
-  const auto take_section = [&] {
-    if (turned_round) {
-      take_turned(order, i, j, new_nodes);
-    } else {
-      take(order, i, j, new_nodes);
-    }
-  };
-  const auto take_rest = [&](int from, int until) { take(order, from, until, new_nodes); };
-  if (to > j && to <= j + reach) {
-    take(order, i - reach, i - 1, cleared(new_nodes));
-    take_rest(j + 1, to);
-    take_section();
-    take_rest(to + 1, to + reach);
-    return change_of_window(cost, order, i - reach, to + reach);
+  if (cost.lengths_only) return length_change_by_move(cost, order, i, j, to, turned_round);
+  const Stretch section{i, j, turned_round};
+  const bool forward = to > j;
+  // What the section is moved past.
+  const int from = forward ? j + 1 : to + 1;
+  const int until = forward ? to : i - 1;
+  const int begin = place_before(cost, order, from - 1 - (forward ? j - i + 1 : 0), 0);
+  const int end =
+      place_after(cost, order, until + 1 + (forward ? 0 : j - i + 1), last_place(order));
+  if (!is_parted(cost, order, from, until)) {
+    const double old_cost = cost_of_parts(cost, order, {{begin, end}});
+    return forward
+               ? cost_of_parts(cost, order,
+                               {{begin, i - 1}, {from, until}, section, {to + 1, end}}) -
+                     old_cost
+               : cost_of_parts(cost, order, {{begin, to}, section, {from, until}, {j + 1, end}}) -
+                     old_cost;
   }
-  if (to < i && to >= i - 1 - reach) {
-    take(order, to + 1 - reach, to, cleared(new_nodes));
-    take_section();
-    take_rest(to + 1, i - 1);
-    take_rest(j + 1, j + reach);
-    return change_of_window(cost, order, to + 1 - reach, j + reach);
+  const int inner_end = place_after(cost, order, from, until);
+  const int inner_begin = place_before(cost, order, until, from);
+  const double old_costs = cost_of_parts(cost, order, {{begin, inner_end}}) +
+                           cost_of_parts(cost, order, {{inner_begin, end}});
+  if (forward) {
+    return cost_of_parts(cost, order, {{begin, i - 1}, {from, inner_end}}) +
+           cost_of_parts(cost, order, {{inner_begin, to}, section, {to + 1, end}}) - old_costs;
   }
-  take(order, i - reach, i - 1, cleared(new_nodes));
-  take_rest(j + 1, j + reach);
-  double change = change_of_window(cost, order, i - reach, j + reach);
-  take(order, to + 1 - reach, to, cleared(new_nodes));
-  take_section();
-  take_rest(to + 1, to + reach);
-  change += change_of_window(cost, order, to + 1 - reach, to + reach);
-  return change;
+  return cost_of_parts(cost, order, {{begin, to}, section, {from, inner_end}}) +
+         cost_of_parts(cost, order, {{inner_begin, i - 1}, {j + 1, end}}) - old_costs;
 }
 
 void move_section(std::vector<int>& order, int i, int j, int to, bool turned_round) {

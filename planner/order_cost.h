@@ -1,35 +1,26 @@
 // What an order of cells costs, and how its cost changes when the order does.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
-#include "planner/grid_cost.h"
-#include "planner/grid_distances.h"
+#include "planner/order_walk.h"
 
 namespace headland {
 
-// Orders are lists of all nodes without repeats; the path of an order is expanded(). The three are
-// not owned. A change is looked up in the few places where neighbours change: O(1), but for the
-// lengths of ways walked where turns or slopes cost something.
-struct OrderCost {
-  const GridGraph* graph = nullptr;
-  const DistanceTable* table = nullptr;
-  CostShares shares;
-  bool lengths_only = true;  // neither turns nor slopes cost anything
-};
+// Orders name every node once; the one of a closed tour has its start at the end again. Changes are
+// looked up in the few places where neighbours change: four to six table entries where lengths
+// alone count, else the legs from the change to the next way on either side that is_fixed_way, and
+// for moves the section moved.
 
-OrderCost order_cost(const GridGraph& graph, const DistanceTable& table, const GridCost& cost);
+// All of the order: the cost of its expanded() path.
+double full_cost(const OrderCost& cost, std::span<const int> order);
 
-// All of the order.
-double full_cost(const OrderCost& cost, const std::vector<int>& order);
-
-// The ways between `nodes` and the turns at all but the first and last: what costs of changes are
-// made of.
-double section_cost(const OrderCost& cost, std::span<const int> nodes);
-
-// By how much the cost grows when order[i] .. order[j], i <= j, are turned round.
-double change_by_reversal(const OrderCost& cost, const std::vector<int>& order, int i, int j);
+// By how much the cost grows when order[i] .. order[j], i <= j, are turned round; when that is more
+// than `most`, any number above `most`.
+double change_by_reversal(const OrderCost& cost, const std::vector<int>& order, int i, int j,
+                          double most = std::numeric_limits<double>::infinity());
 
 // When order[i] and order[j] change places.
 double change_by_swap(const OrderCost& cost, const std::vector<int>& order, int i, int j);

@@ -1,18 +1,28 @@
 #include "planner/order_population.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
+
+#include "planner/greedy_order.h"
 
 namespace headland {
 namespace {
 
-bool is_kept(double change, Keep keep) {
-  return keep == Keep::kNotWorse ? change <= kNoChange : change < -kNoChange;
-}
+// Changes of at most so much are kept.
+double most_kept(Keep keep) { return keep == Keep::kNotWorse ? kNoChange : -kNoChange; }
 
 void note_places(Individual& one, int i, int j) {
   for (; i <= j; ++i) at(one.place, at(one.order, i)) = i;
+}
+
+// Cheapest first, costs freed of the rounding of summed changes, the best noted.
+void sort_and_note(OrderSearch& search, Population& population) {
+  // Sums of whole steps are exact.
+  for (Individual& one : population) {
+    if (!search.cost.lengths_only) one.cost = full_cost(search.cost, one.order);
+  }
+  std::ranges::stable_sort(population, {}, &Individual::cost);
+  note_cost(search.search, population.front().cost);
 }
 
 bool may_change(const OrderSearch& search, int i, int j) {
@@ -24,22 +34,23 @@ bool may_change(const OrderSearch& search, int i, int j) {
 Individual individual_of(const OrderCost& cost, std::vector<int> order) {
   Individual one;
   one.order = std::move(order);
-  one.place.resize(one.order.size());
-  note_places(one, 0, static_cast<int>(one.order.size()) - 1);
+  one.place.resize(cost.graph->cells.size());
+  for (int i = static_cast<int>(one.order.size()) - 1; i >= 0; --i) {
+    at(one.place, at(one.order, i)) = i;
+  }
   one.cost = full_cost(cost, one.order);
   return one;
 }
 
-double least_cost(const GridProblem& problem, const OrderCost& cost) {
-  if (!cost.lengths_only) return -std::numeric_limits<double>::infinity();
-  return cost.shares.constant + cost.shares.step * least_steps(problem);
+OrderSearch order_search(OrderTask& task) {
+  return {task.cost, free_places(task.problem), task.random, task.search};
 }
 
 bool try_reversal(OrderSearch& search, Individual& one, int i, int j, Keep keep) {
   if (i >= j || !may_change(search, i, j)) return false;
   ++search.search.evaluations;
-  const double change = change_by_reversal(search.cost, one.order, i, j);
-  if (!is_kept(change, keep)) return false;
+  const double change = change_by_reversal(search.cost, one.order, i, j, most_kept(keep));
+  if (change > most_kept(keep)) return false;
   std::reverse(one.order.begin() + i, one.order.begin() + j + 1);
   note_places(one, i, j);
   one.cost += change;
@@ -50,7 +61,7 @@ bool try_swap(OrderSearch& search, Individual& one, int i, int j, Keep keep) {
   if (!may_change(search, i, j)) return false;
   ++search.search.evaluations;
   const double change = change_by_swap(search.cost, one.order, i, j);
-  if (!is_kept(change, keep)) return false;
+  if (change > most_kept(keep)) return false;
   std::swap(at(one.order, i), at(one.order, j));
   note_places(one, i, i);
   note_places(one, j, j);
@@ -63,7 +74,7 @@ bool try_shift(OrderSearch& search, Individual& one, int i, int j, Keep keep) {
   ++search.search.evaluations;
   const int to = j > i ? j : j - 1;
   const double change = change_by_move(search.cost, one.order, i, i, to, false);
-  if (!is_kept(change, keep)) return false;
+  if (change > most_kept(keep)) return false;
   move_section(one.order, i, i, to, false);
   note_places(one, std::min(i, j), std::max(i, j));
   one.cost += change;
@@ -87,43 +98,54 @@ bool learn(OrderSearch& search, Individual& one, const Individual& teacher, int 
                      : try_reversal(search, one, learned, k - 1, keep);
 }
 
+bool learn_from_any(OrderSearch& search, Population& population, int i, int among, int k,
+                    Keep keep) {
+  if (among < 1) return false;
+  const int teacher = draw_below(search.random, among);
+  return teacher != i && learn(search, at(population, i), at(population, teacher), k, keep);
+}
+
 int draw_place(OrderSearch& search) {
   return search.places.first + draw_below(search.random, search.places.end - search.places.first);
 }
 
-void sort_and_note(OrderSearch& search, std::vector<Individual>& population) {
-  // Sums of whole steps are exact.
-  for (Individual& one : population) {
-    if (!search.cost.lengths_only) one.cost = full_cost(search.cost, one.order);
+void evolve(OrderTask& task, Population& population, const Improve& improve) {
+  OrderSearch search = order_search(task);
+  sort_and_note(search, population);
+  while (search.places.end - search.places.first > 1 && next_iteration(task.search)) {
+    const Individual best = population.front();
+    for (int i = 0; i < static_cast<int>(population.size()) && goes_on(task.search); ++i) {
+      improve(search, population, i, best);
+    }
+    sort_and_note(search, population);
   }
-  std::ranges::stable_sort(population, {}, &Individual::cost);
-  note_cost(search.search, population.front().cost);
+}
+
+const ParameterSpec& population_spec() {
+  static const ParameterSpec kSpec{"population", 50.0, 3.0, 1000.0, {}, "individuals", true};
+  return kSpec;
+}
+
+int population_of(const Parameters& parameters) {
+  return static_cast<int>(number(parameters, "population"));
+}
+
+std::vector<int> nearest_cell_order(const GridProblem& problem, const DistanceTable& table,
+                                    SeededRandom& random) {
+  return greedy_order(problem, table, 1.0, 1.0, random);
 }
 
 GridPlan plan_by_population(const GridPlanRequest& request, const PopulationPlanner& planner) {
-  const GridProblem problem = grid_problem(request);
-  const DistanceTable table = distance_table(problem.graph, kGridPlanSource, request.cancelled);
-  const OrderCost cost = order_cost(problem.graph, table, request.cost);
-  SeededRandom random(request.seed);
-  GridSearch search = begun_search(request);
-  search.least = least_cost(problem, cost);
-  OrderSearch orders{cost, free_places(problem), random, search};
-  std::vector<Individual> population;
+  OrderTask task(request);
+  Population population;
   for (int i = 0; i < planner.size; ++i) {
     stop_if(request.cancelled);
-    population.push_back(individual_of(cost, planner.begin(problem, table, random)));
-    ++search.evaluations;
+    population.push_back(
+        individual_of(task.cost, planner.begin(task.problem, task.table, task.random)));
+    ++task.search.evaluations;
   }
-  sort_and_note(orders, population);
-  while (orders.places.end - orders.places.first > 1 && next_iteration(search)) {
-    const Individual best = population.front();
-    for (int i = 0; i < planner.size && goes_on(search); ++i) {
-      planner.improve(orders, population, i, best);
-    }
-    sort_and_note(orders, population);
-  }
-  return finished_plan(request, problem, planner.name,
-                       expanded(problem.graph, table, population.front().order), search);
+  evolve(task, population, planner.improve);
+  return finished_plan(task, planner.name, population.front().order);
 }
 
 }  // namespace headland

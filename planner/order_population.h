@@ -5,21 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "planner/grid_plan.h"
-#include "planner/order_cost.h"
+#include "planner/order_task.h"
 
 namespace headland {
 
 struct Individual {
   std::vector<int> order;
-  std::vector<int> place;  // of each node in `order`
+  std::vector<int> place;  // of each node in `order`, its first where a closed tour has two
   double cost = 0.0;
 };
 
-Individual individual_of(const OrderCost& cost, std::vector<int> order);
+using Population = std::vector<Individual>;
 
-// No order costs less, by least_steps; minus infinity where not length alone counts.
-double least_cost(const GridProblem& problem, const OrderCost& cost);
+Individual individual_of(const OrderCost& cost, std::vector<int> order);
 
 // What searches over individuals share; not owned.
 struct OrderSearch {
@@ -28,6 +26,8 @@ struct OrderSearch {
   SeededRandom& random;
   GridSearch& search;
 };
+
+OrderSearch order_search(OrderTask& task);
 
 // Which changes are kept.
 enum class Keep { kBetter, kNotWorse };
@@ -50,24 +50,38 @@ bool perturb_strongly(OrderSearch& search, Individual& one, int k, Keep keep);
 bool perturb_weakly(OrderSearch& search, Individual& one, int k, Keep keep);
 bool learn(OrderSearch& search, Individual& one, const Individual& teacher, int k, Keep keep);
 
+// Individual i learns from one drawn of the first `among`, from itself nothing.
+bool learn_from_any(OrderSearch& search, Population& population, int i, int among, int k,
+                    Keep keep);
+
 int draw_place(OrderSearch& search);
 
-// A search that improves individuals one after the other, iteration by iteration. `improve` works
-// on population[i], which is sorted at the iteration's beginning; best is the first as it was then.
+// Works on population[i] for one iteration, at whose beginning the population was sorted; `best` is
+// the first as it was then.
+using Improve =
+    std::function<void(OrderSearch&, Population& population, int i, const Individual& best)>;
+
+// Improves the population, iteration by iteration and one individual after the other, until the
+// task's search ends. Cheapest first, the best noted, before and after. Throws Cancelled.
+void evolve(OrderTask& task, Population& population, const Improve& improve);
+
+// A planner of which this is all.
 struct PopulationPlanner {
   std::string name;
   int size = 50;
   // A first order.
   std::function<std::vector<int>(const GridProblem&, const DistanceTable&, SeededRandom&)> begin;
-  std::function<void(OrderSearch&, std::vector<Individual>& population, int i,
-                     const Individual& best)>
-      improve;
+  Improve improve;
 };
+
+// `population`, of planners that sort it into ranks or leaders; and begin for those that take the
+// paper's initialisation at its alpha_g of 1.
+const ParameterSpec& population_spec();
+int population_of(const Parameters& parameters);
+std::vector<int> nearest_cell_order(const GridProblem& problem, const DistanceTable& table,
+                                    SeededRandom& random);
 
 // Throws InputError as grid_problem and distance_table; Cancelled.
 GridPlan plan_by_population(const GridPlanRequest& request, const PopulationPlanner& planner);
-
-// Cheapest first, costs freed of the rounding of summed changes, the best noted.
-void sort_and_note(OrderSearch& search, std::vector<Individual>& population);
 
 }  // namespace headland

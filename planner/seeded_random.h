@@ -1,6 +1,7 @@
 // Random draws of searches, the same with every standard library.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
 #include <utility>
@@ -24,6 +25,13 @@ inline double draw_unit(SeededRandom& random) {
 // One of 0 .. count - 1; count is positive.
 inline int draw_below(SeededRandom& random, int count) {
   return static_cast<int>(draw_unit(random) * count);
+}
+
+// An entry with probability in proportion to its share; `sums` are those of the shares up to and
+// with each entry, the last of them positive.
+inline int draw_by_sums(SeededRandom& random, const std::vector<double>& sums) {
+  const auto drawn = std::ranges::upper_bound(sums, draw_unit(random) * sums.back());
+  return static_cast<int>(std::min(drawn - sums.begin(), std::ssize(sums) - 1));
 }
 
 // All orders of entries from `first` up to but without `end` are equally likely (Fisher and Yates).

@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "planner/order_cost.h"
-
 namespace headland {
 namespace {
 
@@ -48,21 +46,18 @@ int next_of_ant(Colony& colony, int node) {
                             [&](int other) { return at(colony.visited, other) == 0; });
     return way.back();
   }
-  const double drawn = draw_unit(colony.random) * sum;
-  const auto found = std::ranges::upper_bound(colony.shares, drawn);
-  return near[static_cast<std::size_t>(found - colony.shares.begin())];
+  return at(near, draw_by_sums(colony.random, colony.shares));
 }
 
 std::vector<int> order_of_ant(Colony& colony) {
   const GridProblem& problem = colony.problem;
-  const int start =
-      problem.start >= 0 ? problem.start : draw_below(colony.random, problem.graph.size());
-  const bool end_waits = problem.end >= 0 && problem.end != start;
+  const int start = first_node(problem, colony.random);
+  const bool end_waits = problem.end >= 0 && problem.graph.size() > 1;
   std::ranges::fill(colony.visited, char{0});
   at(colony.visited, start) = 1;
   if (end_waits) at(colony.visited, problem.end) = 1;
   std::vector<int> order = {start};
-  while (static_cast<int>(order.size()) < problem.graph.size() - (end_waits ? 1 : 0)) {
+  for (auto left = std::ranges::count(colony.visited, 0); left > 0; --left) {
     order.push_back(next_of_ant(colony, order.back()));
     at(colony.visited, order.back()) = 1;
   }
@@ -88,24 +83,37 @@ void evaporate(Colony& colony, double share) {
   }
 }
 
-Colony begun_colony(const GridPlanRequest& request, const GridProblem& problem,
-                    const DistanceTable& table, SeededRandom& random) {
-  Colony colony{problem,
-                table,
-                nodes_within(problem.graph, kAntSteps),
+Colony begun_colony(OrderTask& task, const Parameters& parameters) {
+  const GridGraph& graph = task.problem.graph;
+  Colony colony{task.problem,
+                task.table,
+                nodes_within(graph, kAntSteps),
                 {},
                 {},
-                number(request.parameters, "alpha"),
-                number(request.parameters, "beta"),
-                random,
-                BreadthFirst(problem.graph),
-                std::vector<char>(problem.graph.cells.size(), 0),
+                number(parameters, "alpha"),
+                number(parameters, "beta"),
+                task.random,
+                BreadthFirst(graph),
+                std::vector<char>(graph.cells.size(), 0),
                 {}};
   for (const std::vector<int>& near : colony.near) {
     colony.pheromone.emplace_back(near.size(), 1.0);
   }
   colony.attraction = colony.pheromone;
+  renew_attraction(colony);
   return colony;
+}
+
+// Lays the pheromone of orders and notes their costs; the best that was found so far.
+void judge(OrderTask& task, Colony& colony, const Parameters& parameters,
+           const std::vector<std::vector<int>>& orders, std::vector<int>& best) {
+  for (const std::vector<int>& order : orders) {
+    const double order_costs = full_cost(task.cost, order);
+    ++task.search.evaluations;
+    if (note_cost(task.search, order_costs)) best = order;
+    lay_pheromone(colony, order,
+                  number(parameters, "enhancement") / std::max(order_costs, kLeastCost));
+  }
 }
 
 }  // namespace
@@ -120,31 +128,37 @@ std::span<const ParameterSpec> grid_aco_parameters() {
   return kSpecs;
 }
 
-GridPlan plan_grid_aco(const GridPlanRequest& request) {
-  const GridProblem problem = grid_problem(request);
-  const DistanceTable table = distance_table(problem.graph, kGridPlanSource, request.cancelled);
-  const OrderCost cost = order_cost(problem.graph, table, request.cost);
-  const int ants = static_cast<int>(number(request.parameters, "ants"));
-  SeededRandom random(request.seed);
-  GridSearch search = begun_search(request);
-  Colony colony = begun_colony(request, problem, table, random);
-  std::vector<int> best = order_of_ant(colony);
-  ++search.evaluations;
-  note_cost(search, full_cost(cost, best));
-  while (next_iteration(search)) {
+std::vector<std::vector<int>> first_ants(OrderTask& task, const Parameters& parameters) {
+  Colony colony = begun_colony(task, parameters);
+  std::vector<std::vector<int>> orders;
+  for (int i = 0; i < static_cast<int>(number(parameters, "ants")); ++i) {
+    stop_if(task.request.cancelled);
+    orders.push_back(order_of_ant(colony));
+  }
+  return orders;
+}
+
+std::vector<int> best_of_ants(OrderTask& task, const Parameters& parameters,
+                              const std::vector<std::vector<int>>& first) {
+  Colony colony = begun_colony(task, parameters);
+  std::vector<int> best;
+  judge(task, colony, parameters, first, best);
+  while (next_iteration(task.search)) {
     renew_attraction(colony);
     std::vector<std::vector<int>> orders;
-    for (int i = 0; i < ants && goes_on(search); ++i) orders.push_back(order_of_ant(colony));
-    evaporate(colony, number(request.parameters, "evaporation"));
-    for (const std::vector<int>& order : orders) {
-      const double order_costs = full_cost(cost, order);
-      ++search.evaluations;
-      if (note_cost(search, order_costs)) best = order;
-      lay_pheromone(colony, order,
-                    number(request.parameters, "enhancement") / std::max(order_costs, kLeastCost));
+    for (int i = 0; i < static_cast<int>(first.size()) && goes_on(task.search); ++i) {
+      orders.push_back(order_of_ant(colony));
     }
+    evaporate(colony, number(parameters, "evaporation"));
+    judge(task, colony, parameters, orders, best);
   }
-  return finished_plan(request, problem, "grid_aco", expanded(problem.graph, table, best), search);
+  return best;
+}
+
+GridPlan plan_grid_aco(const GridPlanRequest& request) {
+  OrderTask task(request);
+  const auto first = first_ants(task, request.parameters);
+  return finished_plan(task, "grid_aco", best_of_ants(task, request.parameters, first));
 }
 
 }  // namespace headland

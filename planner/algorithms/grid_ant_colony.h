@@ -2,8 +2,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
-#include "planner/grid_plan.h"
+#include "planner/order_task.h"
 
 namespace headland {
 
@@ -21,5 +22,14 @@ std::span<const ParameterSpec> grid_aco_parameters();
 GridPlan plan_grid_aco(const GridPlanRequest& request);
 
 inline constexpr int kAntSteps = 3;
+
+// The orders that the first ants find, all pheromone being the same: the paper's second way to
+// begin, Table 2. As many as `ants` says.
+std::vector<std::vector<int>> first_ants(OrderTask& task, const Parameters& parameters);
+
+// What the colony makes of orders of any origin, of which there is at least one: they lay their
+// pheromone, then as many ants run until the task's search ends. The best order of all.
+std::vector<int> best_of_ants(OrderTask& task, const Parameters& parameters,
+                              const std::vector<std::vector<int>>& first);
 
 }  // namespace headland

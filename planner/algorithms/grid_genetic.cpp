@@ -89,10 +89,7 @@ Three mean_counted(const std::vector<Chromosome>& population) {
 // Eq (16), over the sums of fitness up to each individual.
 const Chromosome& drawn_by_roulette(const std::vector<Chromosome>& population,
                                     const std::vector<double>& sums, SeededRandom& random) {
-  const double at = draw_unit(random) * sums.back();
-  const auto found = std::ranges::upper_bound(sums, at);
-  const auto place = std::min(found - sums.begin(), std::ssize(sums) - 1);
-  return population[static_cast<std::size_t>(place)];
+  return at(population, draw_by_sums(random, sums));
 }
 
 // 2.2.4: `one` up to a random place, then what is missing as it follows in `other`.
@@ -105,6 +102,8 @@ std::vector<int> crossed(const std::vector<int>& one, const std::vector<int>& ot
   for (const int node : other) {
     if (at(taken, node) == 0) child.push_back(node);
   }
+  // The end of a closed tour is its start too.
+  if (child.size() < one.size()) child.push_back(one.back());
   return child;
 }
 

@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "planner/greedy_order.h"
-#include "planner/order_cost.h"
 #include "planner/order_population.h"
 
 namespace headland {
@@ -144,9 +141,9 @@ bool costs_extra(const Descent& descent, int place) {
   if (shares.level > 0.0 || shares.climb > 0.0) return true;
   const int first = std::max(place - 1, 0);
   const int last = std::min(place + 1, static_cast<int>(descent.order.size()) - 1);
-  const std::span<const int> around(descent.order.data() + first,
-                                    static_cast<std::size_t>(last - first + 1));
-  return section_cost(descent.cost, around) > shares.step * (last - first) + kNoChange;
+  OrderWalk walk{descent.cost};
+  for (int i = first; i <= last; ++i) walk_on(walk, at(descent.order, i));
+  return cost_of_walk(walk) > shares.step * (last - first) + kNoChange;
 }
 
 bool improve_at(Descent& descent, int node) {
@@ -198,17 +195,17 @@ double kick_and_descend(Descent& descent, int most_cells, SeededRandom& random) 
   return 0.0;
 }
 
-Descent begun_descent(const OrderCost& cost, const GridProblem& problem, SeededRandom& random) {
-  Descent descent{
-      cost,
-      free_places(problem),
-      nodes_within(problem.graph, cost.lengths_only ? kNearStepsLength : kNearStepsTurns),
-      greedy_order(problem, *cost.table, 1.0, 1.0, random),
-      std::vector<int>(problem.graph.cells.size()),
-      {},
-      std::vector<char>(problem.graph.cells.size(), 0),
-      {}};
-  for (int i = problem.graph.size() - 1; i >= 0; --i) {
+Descent begun_descent(OrderTask& task) {
+  const GridGraph& graph = task.problem.graph;
+  Descent descent{task.cost,
+                  free_places(task.problem),
+                  nodes_within(graph, task.cost.lengths_only ? kNearStepsLength : kNearStepsTurns),
+                  nearest_cell_order(task.problem, task.table, task.random),
+                  std::vector<int>(graph.cells.size()),
+                  {},
+                  std::vector<char>(graph.cells.size(), 0),
+                  {}};
+  for (int i = static_cast<int>(descent.order.size()) - 1; i >= 0; --i) {
     at(descent.place, at(descent.order, i)) = i;
     look_at(descent, i);
   }
@@ -224,31 +221,26 @@ std::span<const ParameterSpec> grid_local_search_parameters() {
 }
 
 GridPlan plan_grid_local_search(const GridPlanRequest& request) {
-  const GridProblem problem = grid_problem(request);
-  const DistanceTable table = distance_table(problem.graph, kGridPlanSource, request.cancelled);
-  const OrderCost cost = order_cost(problem.graph, table, request.cost);
+  OrderTask task(request);
+  GridSearch& search = task.search;
   const int kick_cells = static_cast<int>(number(request.parameters, "kick_cells"));
-  SeededRandom random(request.seed);
-  GridSearch search = begun_search(request);
-  search.least = least_cost(problem, cost);
-  Descent descent = begun_descent(cost, problem, random);
-  note_cost(search, full_cost(cost, descent.order));
+  Descent descent = begun_descent(task);
+  note_cost(search, full_cost(task.cost, descent.order));
   descend(descent);
   search.evaluations = descent.evaluations;
-  double now = full_cost(cost, descent.order);
+  double now = full_cost(task.cost, descent.order);
   note_cost(search, now);
   while (descent.places.end - descent.places.first > 1 && next_iteration(search)) {
-    for (int kicks = 0; kicks < problem.graph.size(); ++kicks) {
+    for (int kicks = 0; kicks < task.problem.graph.size(); ++kicks) {
       if (kicks % kKicksPerCheck == 0 && !goes_on(search)) break;
-      now += kick_and_descend(descent, kick_cells, random);
+      now += kick_and_descend(descent, kick_cells, task.random);
       search.evaluations = descent.evaluations;
       note_cost(search, now);
     }
     // Sums of changes are rounded.
-    now = full_cost(cost, descent.order);
+    now = full_cost(task.cost, descent.order);
   }
-  return finished_plan(request, problem, "grid_local_search",
-                       expanded(problem.graph, table, descent.order), search);
+  return finished_plan(task, "grid_local_search", descent.order);
 }
 
 }  // namespace headland

@@ -1,14 +1,11 @@
 #include "planner/algorithms/grid_tplp.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <vector>
 
 #include "planner/greedy_order.h"
-#include "planner/order_population.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -29,34 +26,41 @@ TplpRule rule_of(const std::string& name) {
   return {Keep::kNotWorse, Keep::kNotWorse, name == "random_places"};
 }
 
-// Where POP2, POP3 and POP4 end in the sorted population.
-std::array<int, 3> ends_of_groups(int population, const Parameters& parameters) {
-  const std::array<double, 3> shares = {
-      number(parameters, "share_2"), number(parameters, "share_3"), number(parameters, "share_4")};
-  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+// Where POP2 and POP3 end.
+std::array<double, 2> ends_of_groups(const Parameters& parameters) {
+  const double pop2 = number(parameters, "share_2");
+  const double pop3 = number(parameters, "share_3");
+  const double sum = pop2 + pop3 + number(parameters, "share_4");
   if (!(sum > 0.0)) {
     throw InputError(kGridPlanSource, "share_2", "0",
                      "more than 0, or share_3 or share_4 is: all are zero");
   }
-  const auto end_after = [&](double share) {
-    return 1 + static_cast<int>(std::lround((population - 1) * share / sum));
-  };
-  return {end_after(shares[0]), end_after(shares[0] + shares[1]), population};
+  return {pop2 / sum, (pop2 + pop3) / sum};
 }
 
-void improve_one(OrderSearch& search, std::vector<Individual>& population, int i,
-                 const Individual& best, const std::array<int, 3>& ends, const TplpRule& rule) {
+struct Tplp {
+  TplpRule rule;
+  std::array<double, 2> ends;  // of POP2 and POP3, as shares of all but the best
+
+  void operator()(OrderSearch& search, Population& population, int i, const Individual& best) const;
+};
+
+void Tplp::operator()(OrderSearch& search, Population& population, int i,
+                      const Individual& best) const {
   Individual& one = at(population, i);
+  const int size = static_cast<int>(population.size());
+  const auto is_before = [&](double end) { return i < 1 + std::lround((size - 1) * end); };
+  const bool is_pop2 = is_before(ends[0]);
+  const bool is_pop3 = is_before(ends[1]);
   const int count = rule.random_places ? kRandomPlaces : search.places.end - search.places.first;
   for (int step = 0; step < count; ++step) {
     const int k = rule.random_places ? draw_place(search) : search.places.first + step;
     if (i == 0) {
       perturb_strongly(search, one, k, rule.others);
-    } else if (i < ends[0]) {
+    } else if (is_pop2) {
       learn(search, one, best, k, rule.pop2);
-    } else if (i < ends[1]) {
-      const int teacher = draw_below(search.random, static_cast<int>(population.size()));
-      if (teacher != i) learn(search, one, at(population, teacher), k, rule.others);
+    } else if (is_pop3) {
+      learn_from_any(search, population, i, size, k, rule.others);
     } else {
       perturb_weakly(search, one, k, rule.others);
     }
@@ -83,21 +87,19 @@ std::span<const ParameterSpec> grid_tplp_parameters() {
   return kSpecs;
 }
 
+Improve learning_perturbation(const Parameters& parameters) {
+  return Tplp{rule_of(word(parameters, "rule")), ends_of_groups(parameters)};
+}
+
 GridPlan plan_grid_tplp(const GridPlanRequest& request) {
-  const Parameters& parameters = request.parameters;
-  const double greediness = number(parameters, "alpha_g");
-  const double lambda = number(parameters, "lambda");
-  const int size = static_cast<int>(number(parameters, "population"));
-  const std::array<int, 3> ends = ends_of_groups(size, parameters);
-  const TplpRule rule = rule_of(word(parameters, "rule"));
+  const double greediness = number(request.parameters, "alpha_g");
+  const double lambda = number(request.parameters, "lambda");
   return plan_by_population(
-      request,
-      {"grid_tplp", size,
-       [&](const GridProblem& problem, const DistanceTable& table, SeededRandom& random) {
-         return greedy_order(problem, table, greediness, lambda, random);
-       },
-       [&](OrderSearch& search, std::vector<Individual>& population, int i,
-           const Individual& best) { improve_one(search, population, i, best, ends, rule); }});
+      request, {"grid_tplp", population_of(request.parameters),
+                [&](const GridProblem& problem, const DistanceTable& table, SeededRandom& random) {
+                  return greedy_order(problem, table, greediness, lambda, random);
+                },
+                learning_perturbation(request.parameters)});
 }
 
 }  // namespace headland

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "planner/grid_plan.h"
+#include "planner/order_population.h"
 
 namespace headland {
 
@@ -22,5 +22,9 @@ std::span<const ParameterSpec> grid_tplp_parameters();
 // there. Throws InputError as grid_problem and distance_table, and for shares that are all zero;
 // Cancelled.
 GridPlan plan_grid_tplp(const GridPlanRequest& request);
+
+// The learning perturbation operator by these parameters, for evolve() on a population of any
+// origin. Throws InputError for shares that are all zero.
+Improve learning_perturbation(const Parameters& parameters);
 
 }  // namespace headland

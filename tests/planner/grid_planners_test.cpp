@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "planner/grid_bound.h"
 #include "terrains/grid_map_generator.h"
 #include "tests/planner/grid_examples.h"
 #include "tests/terrains/refusal.h"
@@ -157,9 +158,13 @@ TEST_P(GridRefusals, WhatCannotBePlanned) {
   request.start = GridCell{2, 0};
   EXPECT_EQ(said(request),
             "grid plan: start: '2, 0': a cell of the map: column 0 to 1, row 0 to 1");
-  request.start = request.end = GridCell{0, 0};
-  EXPECT_EQ(said(request), "grid plan: end: '0, 0': another cell than the start");
+  request.start = GridCell{0, 0};
+  request.end = GridCell{0, 1};
+  request.closed = true;
+  EXPECT_EQ(said(request),
+            "grid plan: end: '0, 1': the start, 0, 0, or none: the tour is closed");
   request.start = request.end = std::nullopt;
+  request.closed = false;
   request.stop.iterations = 0;
   EXPECT_EQ(said(request), "grid plan: stop.iterations: '0': a whole number from 1 up");
   request.stop = {};

@@ -22,7 +22,7 @@ constexpr int kChangesTried = 3000;
 
 // Another method: the path drawn out, counted step by step.
 double counted_cost(const OrderCost& cost, const GridCost& asked, const std::vector<int>& order) {
-  const GridCounts counts = count_path(*cost.graph, expanded(*cost.graph, *cost.table, order));
+  const GridCounts counts = count_path(*cost.graph, expanded(cost, order));
   return cost_of(asked, counts, cost.graph->cell_m);
 }
 

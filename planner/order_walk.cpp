@@ -1,0 +1,191 @@
+#include "planner/order_walk.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace headland {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+double turn_cost(const CostShares& shares, int one, int next) {
+  if (is_turn(one, next)) return shares.turn;
+  return is_u_turn(one, next) ? shares.u_turn : 0.0;
+}
+
+double step_cost(const OrderCost& cost, int from, int to) {
+  if (cost.graph->height_m.empty()) return cost.shares.step;
+  const StepSlope slope = slope_of_step(*cost.graph, from, to);
+  return cost.shares.step + cost.shares.level * slope.level_m + cost.shares.climb * slope.climb_m;
+}
+
+// The cost of the walk once it has turned to `direction`.
+double turned_to(const OrderWalk& walk, int direction) {
+  if (!walk.moved) return 0.0;
+  double least = kNever;
+  for (int last = 0; last < kDirections; ++last) {
+    least = std::min(least, at(walk.by_last, last) + turn_cost(walk.cost.shares, last, direction));
+  }
+  return least;
+}
+
+void arrive(OrderWalk& walk, int node, int direction, double cost) {
+  walk.by_last.fill(kNever);
+  at(walk.by_last, direction) = cost;
+  walk.node = node;
+  walk.moved = true;
+}
+
+void walk_far(OrderWalk& walk, int to) {
+  // Ways are the same in both directions, so that turning a section round leaves its cost.
+  std::vector<int> way = {walk.node};
+  append_way(*walk.cost.graph, *walk.cost.table, walk.node, to, way);
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const int direction = direction_between(*walk.cost.graph, way[i - 1], way[i]);
+    arrive(walk, way[i], direction,
+           turned_to(walk, direction) + step_cost(walk.cost, way[i - 1], way[i]));
+  }
+}
+
+// Every shortest way of up to kJoinSteps steps, step by step. Stop: void(int last_direction,
+// double cost), called where one ends.
+template <typename Step, typename Stop>
+struct Ways {
+  const OrderCost& cost;
+  int to;
+  Step step;  // void(int node): goes on to it, or, with -1, back
+  Stop stop;
+
+  void follow(int node, int direction, int left, double so_far) {
+    if (left == 0) return stop(direction, so_far);
+    for (int next_direction = 0; next_direction < kDirections; ++next_direction) {
+      const int next = at(at(cost.graph->beside, node), next_direction);
+      if (next < 0 || (*cost.table)(next, to) != left - 1) continue;
+      step(next);
+      follow(
+          next, next_direction, left - 1,
+          so_far + turn_cost(cost.shares, direction, next_direction) + step_cost(cost, node, next));
+      step(-1);
+    }
+  }
+};
+
+template <typename Step, typename Stop>
+void follow_ways(const OrderWalk& walk, int to, int steps, Step step, Stop stop) {
+  Ways<Step, Stop> ways{walk.cost, to, step, stop};
+  for (int direction = 0; direction < kDirections; ++direction) {
+    const int next = at(at(walk.cost.graph->beside, walk.node), direction);
+    if (next < 0 || (*walk.cost.table)(next, to) != steps - 1) continue;
+    step(next);
+    ways.follow(next, direction, steps - 1,
+                turned_to(walk, direction) + step_cost(walk.cost, walk.node, next));
+    step(-1);
+  }
+}
+
+// Appends the way of the walk's last leg, from a node where it stood as in `before`, that ends in
+// `last_direction`; the direction in which that node was reached.
+int append_leg(const OrderWalk& before, int to, int last_direction, std::vector<int>& reversed) {
+  const OrderCost& cost = before.cost;
+  std::vector<int> best;
+  const int steps = (*cost.table)(before.node, to);
+  if (steps > kJoinSteps) {
+    append_way(*cost.graph, *cost.table, before.node, to, best);
+  } else {
+    std::vector<int> way;
+    double least = kNever;
+    follow_ways(
+        before, to, steps,
+        [&](int node) {
+          if (node >= 0) return way.push_back(node);
+          way.pop_back();
+        },
+        [&](int direction, double costs) {
+          if (direction != last_direction || !(costs < least)) return;
+          least = costs;
+          best = way;
+        });
+  }
+  reversed.insert(reversed.end(), best.rbegin(), best.rend());
+  if (!before.moved) return -1;
+  const int first_direction = direction_between(*cost.graph, before.node, best.front());
+  int last = 0;
+  double least = kNever;
+  for (int direction = 0; direction < kDirections; ++direction) {
+    const double costs =
+        at(before.by_last, direction) + turn_cost(cost.shares, direction, first_direction);
+    if (costs < least) last = direction;
+    least = std::min(least, costs);
+  }
+  return last;
+}
+
+}  // namespace
+
+OrderCost order_cost(const GridGraph& graph, const DistanceTable& table, const GridCost& cost) {
+  OrderCost result{&graph, &table, cost_shares(cost, graph), true};
+  const CostShares& shares = result.shares;
+  result.lengths_only =
+      !(shares.turn > 0.0 || shares.u_turn > 0.0 || shares.level > 0.0 || shares.climb > 0.0);
+  return result;
+}
+
+bool is_fixed_way(const OrderCost& cost, int from, int to) {
+  const int steps = (*cost.table)(from, to);
+  return steps <= 1 || steps > kJoinSteps;
+}
+
+void walk_on(OrderWalk& walk, int to) {
+  if (walk.node < 0) {
+    walk.node = to;
+    return;
+  }
+  const int beside = direction_between(*walk.cost.graph, walk.node, to);
+  if (beside >= 0) {
+    return arrive(walk, to, beside, turned_to(walk, beside) + step_cost(walk.cost, walk.node, to));
+  }
+  const int steps = (*walk.cost.table)(walk.node, to);
+  if (steps == 0) return;
+  if (steps > kJoinSteps) return walk_far(walk, to);
+  std::array<double, kDirections> by_last{};
+  by_last.fill(kNever);
+  follow_ways(
+      walk, to, steps, [](int) {},
+      [&](int direction, double costs) {
+        at(by_last, direction) = std::min(at(by_last, direction), costs);
+      });
+  walk.by_last = by_last;
+  walk.node = to;
+  walk.moved = true;
+}
+
+double cost_of_walk(const OrderWalk& walk) {
+  return walk.moved ? *std::ranges::min_element(walk.by_last) : 0.0;
+}
+
+std::vector<int> expanded(const OrderCost& cost, std::span<const int> order) {
+  if (cost.lengths_only) {
+    std::vector<int> path = {order.front()};
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      append_way(*cost.graph, *cost.table, order[i - 1], order[i], path);
+    }
+    return path;
+  }
+  std::vector<OrderWalk> at_place;
+  OrderWalk walk{cost};
+  for (const int node : order) {
+    walk_on(walk, node);
+    at_place.push_back(walk);
+  }
+  std::vector<int> reversed;
+  const auto& by_last = walk.by_last;
+  int last = static_cast<int>(std::ranges::min_element(by_last) - by_last.begin());
+  for (std::size_t i = order.size() - 1; i > 0; --i) {
+    last = append_leg(at_place[i - 1], order[i], last, reversed);
+  }
+  reversed.push_back(order.front());
+  std::ranges::reverse(reversed);
+  return reversed;
+}
+
+}  // namespace headland
