@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,5 +41,12 @@ int node_at(const GridMap& map, const GridGraph& graph, GridCell cell, const std
 
 // Direction of the step from one node to the next; -1 when they are not neighbours.
 int direction_between(const GridGraph& graph, int from, int to);
+
+// Steps between two nodes if nothing were blocked; there are no fewer.
+inline int steps_without_obstacles(const GridGraph& graph, int from, int to) {
+  const GridCell one = at(graph.cells, from);
+  const GridCell other = at(graph.cells, to);
+  return std::abs(one.column - other.column) + std::abs(one.row - other.row);
+}
 
 }  // namespace headland

@@ -1,7 +1,6 @@
 #include "planner/order_cost.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <initializer_list>
 #include <utility>
 
@@ -58,29 +57,6 @@ int steps_between(const OrderCost& cost, const Order& order, int i, int j) {
   return both ? (*cost.table)(at(order, i), at(order, j)) : 0;
 }
 
-int least_steps_between(const OrderCost& cost, const Order& order, int i, int j) {
-  const GridCell one = at(cost.graph->cells, at(order, i));
-  const GridCell other = at(cost.graph->cells, at(order, j));
-  return std::abs(one.column - other.column) + std::abs(one.row - other.row);
-}
-
-double length_change_by_reversal(const OrderCost& cost, const Order& order, int i, int j,
-                                 double most) {
-  const bool before = i > 0;
-  const bool after = j < last_place(order);
-  const DistanceTable& steps = *cost.table;
-  int change = 0;
-  if (before) change -= steps(at(order, i - 1), at(order, i));
-  if (after) change -= steps(at(order, j), at(order, j + 1));
-  // Distances around nothing need no look into the table, which is large.
-  const int least = (before ? least_steps_between(cost, order, i - 1, j) : 0) +
-                    (after ? least_steps_between(cost, order, i, j + 1) : 0);
-  if (cost.shares.step * (change + least) > most) return cost.shares.step * (change + least);
-  if (before) change += steps(at(order, i - 1), at(order, j));
-  if (after) change += steps(at(order, i), at(order, j + 1));
-  return cost.shares.step * change;
-}
-
 double length_change_by_move(const OrderCost& cost, const Order& order, int i, int j, int to,
                              bool turned_round) {
   const auto steps = [&](int one, int other) { return steps_between(cost, order, one, other); };
@@ -112,8 +88,7 @@ double full_cost(const OrderCost& cost, std::span<const int> order) {
   return cost.shares.constant + cost.shares.step * steps;
 }
 
-double change_by_reversal(const OrderCost& cost, const Order& order, int i, int j, double most) {
-  if (cost.lengths_only) return length_change_by_reversal(cost, order, i, j, most);
+double change_by_walked_reversal(const OrderCost& cost, const Order& order, int i, int j) {
   const int begin = place_before(cost, order, i - 1, 0);
   const int end = place_after(cost, order, j + 1, last_place(order));
   if (!is_parted(cost, order, i, j)) {

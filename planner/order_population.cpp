@@ -25,6 +25,17 @@ void sort_and_note(OrderSearch& search, Population& population) {
   note_cost(search.search, population.front().cost);
 }
 
+void turn_round(Individual& one, int i, int j) {
+  for (; i < j; ++i, --j) {
+    const int first = at(one.order, i);
+    const int last = at(one.order, j);
+    at(one.order, i) = last;
+    at(one.order, j) = first;
+    at(one.place, last) = i;
+    at(one.place, first) = j;
+  }
+}
+
 bool may_change(const OrderSearch& search, int i, int j) {
   return i != j && std::min(i, j) >= search.places.first && std::max(i, j) < search.places.end;
 }
@@ -51,8 +62,7 @@ bool try_reversal(OrderSearch& search, Individual& one, int i, int j, Keep keep)
   ++search.search.evaluations;
   const double change = change_by_reversal(search.cost, one.order, i, j, most_kept(keep));
   if (change > most_kept(keep)) return false;
-  std::reverse(one.order.begin() + i, one.order.begin() + j + 1);
-  note_places(one, i, j);
+  turn_round(one, i, j);
   one.cost += change;
   return true;
 }
@@ -93,9 +103,13 @@ bool perturb_weakly(OrderSearch& search, Individual& one, int k, Keep keep) {
 bool learn(OrderSearch& search, Individual& one, const Individual& teacher, int k, Keep keep) {
   const int after = at(teacher.place, at(one.order, k)) + 1;
   if (after >= static_cast<int>(teacher.order.size())) return false;
-  const int learned = at(one.place, at(teacher.order, after));
-  return learned > k ? try_reversal(search, one, k + 1, learned, keep)
-                     : try_reversal(search, one, learned, k - 1, keep);
+  const int wanted = at(teacher.order, after);
+  const int size = static_cast<int>(one.order.size());
+  // Most have learned it already; this spares them a look into `place`.
+  if (k + 1 < size && at(one.order, k + 1) == wanted) return false;
+  const int learned = at(one.place, wanted);
+  const bool later = learned > k;
+  return try_reversal(search, one, later ? k + 1 : learned, later ? learned : k - 1, keep);
 }
 
 bool learn_from_any(OrderSearch& search, Population& population, int i, int among, int k,

@@ -22,9 +22,9 @@ inline double draw_unit(SeededRandom& random) {
   return static_cast<double>(random.engine() >> 11) * 0x1.0p-53;
 }
 
-// One of 0 .. count - 1; count is positive.
+// One of 0 .. count - 1, each as likely to within 2^-32; count is positive.
 inline int draw_below(SeededRandom& random, int count) {
-  return static_cast<int>(draw_unit(random) * count);
+  return static_cast<int>(((random.engine() >> 32) * static_cast<std::uint64_t>(count)) >> 32);
 }
 
 // An entry with probability in proportion to its share; `sums` are those of the shares up to and
