@@ -1,5 +1,6 @@
 #include "sim/simulation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -43,6 +44,18 @@ void settle(const Machine& machine, double dt_s, BulletWorld& world, MachineStat
   state.trailer_wheels = resting.trailer_wheels;
 }
 
+// Room for what the drive will leave: lists that grow piece by piece keep the room of their older,
+// smaller selves.
+void make_room(const SimulationOptions& options, const Route& route, double time_s,
+               RunRecord& record) {
+  constexpr double kSlower = 1.1;  // than at the speed limits
+  const double longest_s = std::min(time_s, kSlower * route.expected_time_s);
+  record.samples.reserve(static_cast<std::size_t>(longest_s * options.record_hz) + 2);
+  record.footprints.reserve(
+      static_cast<std::size_t>(kSlower * route.length_m / options.footprint_spacing_m) + 2);
+  record.segments.reserve(route.works.size());
+}
+
 }  // namespace
 
 RunRecord simulate(const SimulationSetup& setup) {
@@ -64,6 +77,7 @@ RunRecord simulate(const SimulationSetup& setup) {
   const double max_time_s = options.max_time_s > 0.0
                                 ? options.max_time_s
                                 : kTimeFactor * route.expected_time_s + kTimeGrace_s;
+  make_room(options, route, max_time_s, recorder.record);
   const auto steps_per_second = std::lround(options.rate_hz);
   DriverState driver = at_start(route, options.steering_latency_s, options.rate_hz);
   Receiver receiver = make_receiver(options.positioning, options.rate_hz, start.p_W);

@@ -110,12 +110,15 @@ PerWheel<WheelContact> touch_ground(const Heightfield& terrain, const ChassisSta
       contact.damping_n = scale * damping_n;
     }
 
-    double angle_rad = 0.0;
+    Eigen::Vector3d heading = forward;
+    contact.axle = left;
     if (wheel.steered) {
-      angle_rad = wheel_angle_rad(curvature_per_m, wheel.p_B);
+      const double angle_rad = wheel_angle_rad(curvature_per_m, wheel.p_B);
+      const double cosine = std::cos(angle_rad);
+      const double sine = std::sin(angle_rad);
+      heading = cosine * forward + sine * left;
+      contact.axle = cosine * left - sine * forward;
     }
-    const Eigen::Vector3d heading = std::cos(angle_rad) * forward + std::sin(angle_rad) * left;
-    contact.axle = std::cos(angle_rad) * left - std::sin(angle_rad) * forward;
     contact.along = (heading - heading.dot(contact.normal) * contact.normal).normalized();
     contact.across = contact.normal.cross(contact.along);
     // With a pivot the lateral force reaches the chassis at the pivot, not at the ground.
