@@ -16,6 +16,7 @@
 #include "terrains/json_text.h"
 #include "terrains/soil.h"
 #include "vehicle_models/draft.h"
+#include "vehicle_models/gradeability.h"
 #include "vehicle_models/vehicle_figures.h"
 #include "vehicle_models/vehicle_loader.h"
 
@@ -95,8 +96,9 @@ void add_limits(const Vehicle& vehicle, const Soil& soil, Figures& out) {
   const SoilFigures on_soil = figures_on(vehicle, soil);
   const double by_motor = max_grade(vehicle, on_soil.rolling_resistance);
   const double by_grip = max_grade_by_grip(vehicle, on_soil.net_pull, on_soil.rolling_resistance);
-  out.add("gradeability", std::min(by_motor, by_grip), "Climbs",
-          fmt::format("{:.0f} % ({})", 100.0 * std::min(by_motor, by_grip),
+  const double climbs = gradeability(vehicle, soil);
+  out.add("gradeability", climbs, "Climbs",
+          fmt::format("{:.0f} % ({})", 100.0 * climbs,
                       by_motor < by_grip ? "motor's limit" : "grip's limit"));
   out.add("gradeability_by_motor", by_motor, "", "");
   out.add("gradeability_by_grip", by_grip, "", "");

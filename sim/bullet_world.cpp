@@ -158,6 +158,15 @@ struct BulletWorld::Parts {
             {x_m + kHalfDepth_m, half_m, z_m + kHalfDepth_m}, com);
   }
 
+  // Boxes around the wheels, standing straight: what is lower than the hull is met by them.
+  void add_wheels(btCompoundShape& compound, const Axle& axle, const Eigen::Vector3d& com) {
+    for (const double side : {1.0, -1.0}) {
+      const Eigen::Vector3d hub(axle.x_B_m, side * 0.5 * axle.track_m, axle.radius_m);
+      const Eigen::Vector3d half(axle.radius_m, 0.5 * axle.width_m, axle.radius_m);
+      add_box(compound, hub - half, hub + half, com);
+    }
+  }
+
   std::unique_ptr<btRigidBody> add_body(btCompoundShape& shape, const ChassisMass& mass) {
     btRigidBody::btRigidBodyConstructionInfo info(mass.mass_kg, nullptr, &shape,
                                                   to_bullet(mass.inertia_kg_m2));
@@ -175,6 +184,8 @@ struct BulletWorld::Parts {
     const double half_width_m = 0.5 * body.width_m;
     add_box(hull_shape, {-body.rear_overhang_m, -half_width_m, body.ground_clearance_m},
             {body.length_m - body.rear_overhang_m, half_width_m, body.height_m}, mass.com_B);
+    add_wheels(hull_shape, vehicle.rear, mass.com_B);
+    add_wheels(hull_shape, vehicle.front, mass.com_B);
     if (!vehicle.implement.trailing) {
       add_bar(hull_shape, vehicle.implement, vehicle.implement.x_B_m, mass.com_B);
     }
@@ -194,6 +205,11 @@ struct BulletWorld::Parts {
             {trailing.drawbar_length_m, kHalfBeam_m, beam_m + kHalfBeam_m}, com);
     add_box(trailer_shape, {-radius_m, -wheels_m, radius_m}, {radius_m, wheels_m, 2.0 * radius_m},
             com);
+    Axle axle;
+    axle.track_m = trailing.track_m;
+    axle.radius_m = radius_m;
+    axle.width_m = trailing.wheel_width_m;
+    add_wheels(trailer_shape, axle, com);
     trailer = add_body(trailer_shape, trailed.mass);
   }
 };

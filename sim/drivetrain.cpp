@@ -21,6 +21,42 @@ double torque_for_power(const Motor& motor, double speed_rad_per_s, double avail
   return root > 0.0 ? 2.0 * spare_w / root : motor.max_torque_nm;
 }
 
+template <typename T>
+using PerAxle = std::array<T, 2>;
+
+// Of the loads on a side's wheels that have motors; equal where none carries any.
+PerAxle<double> load_shares(const MotorLayout& layout, const PerWheel<WheelContact>& contacts,
+                            std::size_t side) {
+  PerAxle<double> share{};
+  double sum = 0.0;
+  for (const bool by_load : {true, false}) {
+    for (const std::size_t axle : {0U, 1U}) {
+      const std::size_t wheel = 2 * axle + side;
+      if (layout.motor_of[wheel] >= 0) share[axle] = by_load ? contacts[wheel].load_n : 1.0;
+    }
+    sum = share[0] + share[1];
+    if (sum > 0.0) break;
+  }
+  return {share[0] / sum, share[1] / sum};
+}
+
+// A force by shares; what is beyond an axle's room goes to the other one as far as it has room.
+PerAxle<double> share_out(double wanted_n, const PerAxle<double>& share,
+                          const PerAxle<double>& room_n) {
+  PerAxle<double> given_n{};
+  double rest_n = wanted_n;
+  for (const std::size_t axle : {0U, 1U}) {
+    given_n[axle] = std::clamp(wanted_n * share[axle], -room_n[axle], room_n[axle]);
+    rest_n -= given_n[axle];
+  }
+  for (const std::size_t axle : {0U, 1U}) {
+    const double before_n = given_n[axle];
+    given_n[axle] = std::clamp(before_n + rest_n, -room_n[axle], room_n[axle]);
+    rest_n -= given_n[axle] - before_n;
+  }
+  return given_n;
+}
+
 }  // namespace
 
 double motor_loss_w(const Motor& motor, double torque_nm, double speed_rad_per_s) {
@@ -73,26 +109,39 @@ PerMotor<double> motor_speeds(const MotorLayout& layout, const PerWheel<double>&
   return speed_rad_per_s;
 }
 
-PerMotor<double> split_torque(const Vehicle& vehicle, const MotorLayout& layout, double total_nm,
+PerMotor<double> split_torque(const Vehicle& vehicle, const MotorLayout& layout,
+                              const PerWheel<WheelContact>& contacts, double total_nm,
                               double yaw_torque_nm) {
   PerMotor<double> torque_nm{};
-  for (std::size_t i = 0; i < kWheels; ++i) {
-    if (layout.motor_of[i] < 0) continue;
-    double& share_nm = torque_nm[static_cast<std::size_t>(layout.motor_of[i])];
-    if (!vehicle.drivetrain.motor_per_wheel) {
-      share_nm = total_nm;
-      continue;
+  if (!vehicle.drivetrain.motor_per_wheel) {
+    torque_nm[0] = total_nm;
+    return torque_nm;
+  }
+  const double most_nm =
+      vehicle.motor.max_torque_nm * vehicle.drivetrain.gear_ratio * vehicle.drivetrain.efficiency;
+  const double onward_n =
+      0.5 * total_nm / (vehicle.rear.driven ? vehicle.rear : vehicle.front).radius_m;
+  for (const std::size_t side : {0U, 1U}) {
+    const PerAxle<double> share = load_shares(layout, contacts, side);
+    const PerAxle<double> radius_m{vehicle.rear.radius_m, vehicle.front.radius_m};
+    PerAxle<double> room_n{};
+    for (const std::size_t axle : {0U, 1U}) {
+      if (share[axle] > 0.0) room_n[axle] = most_nm / radius_m[axle];
     }
-    const Axle& axle = i < 2 ? vehicle.rear : vehicle.front;
-    const double side = i % 2 == 0 ? -1.0 : 1.0;
-    const double onward_nm = total_nm / layout.motors;
-    const double couple_nm =
-        side * yaw_torque_nm * axle.radius_m / (0.5 * axle.track_m) / layout.motors;
     // Headway comes first: a vehicle that scrubs on the spot turns easier once it moves.
-    const double most_nm =
-        vehicle.motor.max_torque_nm * vehicle.drivetrain.gear_ratio * vehicle.drivetrain.efficiency;
-    const double left_nm = std::max(0.0, most_nm - std::abs(onward_nm));
-    share_nm = onward_nm + std::clamp(couple_nm, -left_nm, left_nm);
+    const PerAxle<double> given_n = share_out(onward_n, share, room_n);
+    const double beyond_n = onward_n - given_n[0] - given_n[1];
+    for (const std::size_t axle : {0U, 1U}) room_n[axle] -= std::abs(given_n[axle]);
+    const double couple_n =
+        yaw_torque_nm / (share[0] * vehicle.rear.track_m + share[1] * vehicle.front.track_m);
+    const PerAxle<double> turning_n = share_out(side == 0 ? -couple_n : couple_n, share, room_n);
+    for (const std::size_t axle : {0U, 1U}) {
+      const int motor = layout.motor_of[2 * axle + side];
+      if (motor < 0) continue;
+      // What no motor can give is asked for all the same, and counted where it is cut off.
+      torque_nm[static_cast<std::size_t>(motor)] =
+          radius_m[axle] * (given_n[axle] + turning_n[axle] + share[axle] * beyond_n);
+    }
   }
   return torque_nm;
 }

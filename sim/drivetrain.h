@@ -45,10 +45,13 @@ struct DriveRequest {
   double acceptable_w = 0.0;  // likewise, charging
 };
 
-// Wheel torque [N m] of each motor for a force along the vehicle and a couple about its z axis,
-// which only a vehicle with motors on both sides can give: what their torque limit leaves beside
-// the force.
-PerMotor<double> split_torque(const Vehicle& vehicle, const MotorLayout& layout, double total_nm,
+// Wheel torque [N m] of each motor for a force along the vehicle, given as a torque of the rear (if
+// they are driven) or the front wheels, and a couple about its z axis, which only a vehicle with
+// motors on both sides can give: what their torque limit leaves beside the force. Wheels of one
+// side share by their loads, as wheels do that are kept at one speed, and one takes over what the
+// other's motor cannot give.
+PerMotor<double> split_torque(const Vehicle& vehicle, const MotorLayout& layout,
+                              const PerWheel<WheelContact>& contacts, double total_nm,
                               double yaw_torque_nm);
 
 // What the controllers of motors at the wheels do: a wheel whose rim is faster or slower than the

@@ -142,8 +142,8 @@ StepReport step_machine(const Machine& machine, const DriverCommand& command, St
   const double inverter = vehicle.motor.inverter_efficiency;
   const double speed_mps = chassis.v_W.dot(chassis.R_WB.col(0));
   DriveRequest request;
-  request.wheel_torque_nm =
-      split_torque(vehicle, machine.motors, command.wheel_torque_nm, command.yaw_torque_nm);
+  request.wheel_torque_nm = split_torque(vehicle, machine.motors, report.contacts,
+                                         command.wheel_torque_nm, command.yaw_torque_nm);
   limit_slip(vehicle, machine.motors, machine.wheels, report.contacts, state.wheels, chassis,
              request.wheel_torque_nm);
   request.hold = command.hold;

@@ -63,7 +63,7 @@ struct Rig {
   DrivetrainCommand command(double wanted_nm, double speed_mps, double yaw_torque_nm = 0.0) const {
     const MotorLayout layout = motor_layout(vehicle);
     DriveRequest request;
-    request.wheel_torque_nm = split_torque(vehicle, layout, wanted_nm, yaw_torque_nm);
+    request.wheel_torque_nm = split_torque(vehicle, layout, contacts, wanted_nm, yaw_torque_nm);
     request.speed_mps = speed_mps;
     request.motor_speed_rad_per_s.fill(vehicle.drivetrain.gear_ratio * speed_mps /
                                        wheels[0].radius_m);
@@ -151,17 +151,43 @@ TEST(Drivetrain, MotorsAtTheWheelsTurnTheVehicle) {
   rig.vehicle.motor.max_torque_nm = 1e3;
   rig.vehicle.motor.max_power_w = 1e6;
   const DrivetrainCommand command = rig.command(100.0, 0.8, 240.0);
-  double total_nm = 0.0;
+  double total_n = 0.0;
   double couple_nm = 0.0;
   for (std::size_t i = 0; i < kWheels; ++i) {
     const double drive_nm = command.wheels[i].drive_nm;
     // The wheels that run against the wish of their motor also brake.
     const double brake_nm = drive_nm <= 0.0 ? command.wheels[i].brake_max_nm : 0.0;
-    total_nm += drive_nm - brake_nm;
+    total_n += (drive_nm - brake_nm) / rig.wheels[i].radius_m;
     couple_nm -= (drive_nm - brake_nm) / rig.wheels[i].radius_m * rig.wheels[i].p_B.y();
   }
-  EXPECT_NEAR(total_nm, 100.0, 1e-9);
+  EXPECT_NEAR(total_n, 100.0 / rig.vehicle.rear.radius_m, 1e-9);
   EXPECT_NEAR(couple_nm, 240.0, 1e-9);
+}
+
+// Contacts of the rig carry 3000, 1000, 1000 and 1000 N: the left side shares 3 to 1, until the
+// rear motor is at its limit and the front one takes the rest.
+TEST(Drivetrain, MotorsOfOneSideShareByLoadAndFillInForEachOther) {
+  Rig rig;
+  rig.vehicle.drivetrain.motor_per_wheel = true;
+  rig.vehicle.front.driven = rig.vehicle.rear.driven = true;
+  const MotorLayout layout = motor_layout(rig.vehicle);
+  const Drivetrain& gear = rig.vehicle.drivetrain;
+  const double most_nm = rig.vehicle.motor.max_torque_nm * gear.gear_ratio * gear.efficiency;
+  rig.vehicle.front.radius_m = rig.vehicle.rear.radius_m;
+  const auto split = [&](double total_nm) {
+    return split_torque(rig.vehicle, layout, rig.contacts, total_nm, 0.0);
+  };
+  const PerMotor<double> small = split(most_nm);
+  EXPECT_NEAR(small[0], 0.375 * most_nm, 1e-9);
+  EXPECT_NEAR(small[2], 0.125 * most_nm, 1e-9);
+  EXPECT_NEAR(small[1], 0.25 * most_nm, 1e-9);
+  const PerMotor<double> large = split(3.2 * most_nm);
+  EXPECT_NEAR(large[0], most_nm, 1e-9);
+  EXPECT_NEAR(large[2], 0.6 * most_nm, 1e-9);
+  // Beyond what the side can, all of it is asked for: the cut is counted where it is made.
+  const PerMotor<double> beyond = split(5.0 * most_nm);
+  EXPECT_NEAR(beyond[0] + beyond[2], 2.5 * most_nm, 1e-9);
+  EXPECT_GT(beyond[0], most_nm);
 }
 
 TEST(Drivetrain, OneMotorCannotTurnTheVehicle) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/sim/test_drives.h"
+#include "vehicle_models/gradeability.h"
 #include "vehicle_models/vehicle_figures.h"
 
 namespace headland {
@@ -91,15 +92,14 @@ TEST(Ground, GetsStuckInSoilTooSoftToCarryIt) {
             Outcome::kFinished);
 }
 
-// The vehicle's own figure for what it climbs on each soil, driven: it does 90 % of that and not
+// A vehicle's own figure for what it climbs on each soil, driven: it does 90 % of that and not
 // 115 %.
-TEST(Ground, ClimbsTheGradeItsFiguresSayOnEverySoil) {
-  const Vehicle vehicle = load_vehicle("transplanter");
+class GroundClimb : public testing::TestWithParam<std::string> {};
+
+TEST_P(GroundClimb, IsWhatGradeabilitySaysOnEverySoil) {
+  const Vehicle vehicle = load_vehicle(GetParam());
   for (const Soil& soil : soils()) {
-    const SoilFigures figures = figures_on(vehicle, soil);
-    const double grade =
-        std::min(max_grade(vehicle, figures.rolling_resistance),
-                 max_grade_by_grip(vehicle, figures.net_pull, figures.rolling_resistance));
+    const double grade = gradeability(vehicle, soil);
     const auto outcome_on = [&](double slope) {
       return test::run(test::straight(12.0), vehicle, test::plane(slope, 0.0, 30.0),
                        uniform_soil(soil), {}, test::open_field(25.0))
@@ -109,6 +109,11 @@ TEST(Ground, ClimbsTheGradeItsFiguresSayOnEverySoil) {
     EXPECT_NE(outcome_on(1.15 * grade), Outcome::kFinished) << soil.name << ", limit " << grade;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(EachVehicle, GroundClimb,
+                         testing::Values("transplanter", "horticultural_tractor", "utility_tractor",
+                                         "skid_steer_robot", "four_wheel_steer_robot"),
+                         [](const auto& vehicle) { return vehicle.param; });
 
 // All wheels braked hold up to the slope whose tangent is the friction, and not beyond.
 TEST(Ground, BrakesHoldUpToTheAdhesionLimit) {

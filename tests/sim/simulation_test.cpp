@@ -168,6 +168,27 @@ TEST(Simulation, HitsATreeInItsWay) {
   EXPECT_NEAR(run.samples.back().p_WB.x() + front_m, 29.7, 0.15);  // one sample's travel
 }
 
+// A stone lower than the hull stops a wheel and passes between the wheels.
+TEST(Simulation, WheelsMeetWhatTheHullClears) {
+  const Vehicle vehicle = transplanter();
+  const double height_m = 0.5 * vehicle.body.ground_clearance_m;
+  const double track_m = 0.5 * vehicle.front.track_m;
+  Field field = test::open_field();
+  const auto run_past = [&](double y_m) {
+    field.obstacles = {{ObstacleKind::kRock, {10.0, y_m}, 0.1, height_m}};
+    return test::run(test::straight(20.0), vehicle, test::plane(0.0, 0.0), test::textbook_soil(),
+                     {}, field);
+  };
+  EXPECT_EQ(run_past(0.0).outcome, Outcome::kFinished);
+  for (const double y_m : {track_m, -track_m}) {
+    const RunRecord run = run_past(y_m);
+    EXPECT_EQ(run.outcome, Outcome::kHitObstacle);
+    // The wheel's foremost edge at the stone's; 0.15 m: one sample's travel.
+    EXPECT_NEAR(run.samples.back().p_WB.x() + vehicle.front.x_B_m + vehicle.front.radius_m, 9.9,
+                0.15);
+  }
+}
+
 // A wall across its way and a fence beside it that the hull clears by 10 cm.
 TEST(Simulation, HitsAWallAndPassesAFence) {
   const Vehicle vehicle = transplanter();
