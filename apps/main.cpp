@@ -43,6 +43,7 @@ int run(int argc, char** argv) {
   headland::add_drive_command(app, exit_code);
   headland::add_render_command(app, exit_code);
   headland::add_measure_command(app, exit_code);
+  headland::add_compare_command(app, exit_code);
   headland::add_list_command(app, exit_code);
   headland::add_vehicle_command(app, exit_code);
   refuse_empty_values(app);

@@ -22,10 +22,13 @@ ProgressLine start_progress(bool quiet);
 // Simulated time, speed factor, share done and time left, at most ten times a second.
 void show_progress(ProgressLine& line, const SimulationProgress& progress);
 
-// Clears the line.
 // The same for work that is not a drive: "measuring  40 %   12 s left".
 void show_share(ProgressLine& line, std::string_view what, double share);
 
+// The same for work that is counted: "12 of 40 runs   3.1 a second   9 s left".
+void show_count(ProgressLine& line, std::string_view what, int done, int all);
+
+// Clears the line.
 void end_progress(const ProgressLine& line);
 
 }  // namespace headland

@@ -90,10 +90,10 @@ std::vector<double> average_ranks(const Blocks& blocks) {
   std::vector<double> average(blocks.empty() ? 0 : blocks.front().size(), 0.0);
   for (const std::vector<double>& block : blocks) {
     const std::vector<double> ranks = ranks_of(block);
-    for (std::size_t j = 0; j < average.size(); ++j) {
-      average[j] += ranks[j] / static_cast<double>(blocks.size());
-    }
+    for (std::size_t j = 0; j < average.size(); ++j) average[j] += ranks[j];
   }
+  // Ranks are whole or halves: their sums are exact, and ties stay ties.
+  for (double& rank : average) rank /= static_cast<double>(blocks.size());
   return average;
 }
 

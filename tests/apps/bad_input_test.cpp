@@ -23,6 +23,8 @@ std::string field(const std::string& boundary, const std::string& more = "") {
 const std::string kSquare = "[0, 0], [60, 0], [60, 40], [0, 40]";
 const std::string kEvaluate = "evaluate bad.yaml -o DIR";
 const std::string kTrack = "drive tiny.yaml --path other.csv -o DIR";
+const std::string kCompare = "compare bad.yaml -o DIR";
+const std::string kComparedMap = "maps: [{generator: {columns: 6, rows: 5}}]\n";
 const std::string kOnEarth =
     "field: {crs: 'EPSG:4326', boundary: [[9.0, 48.0], [9.001, 48.0], [9.001, 48.0006]]}\n"
     "vehicle: transplanter\nterrain: {file: other.csv}\n";
@@ -141,6 +143,16 @@ const BadInput kBadInputs[] = {
      "bad.yaml: line 4: vehicle: 'a\\x1B[31mb\\xC2\\x9B': unknown vehicle"},
     {"DeviceAsScenario", "evaluate /dev/zero -o DIR", "", "",
      "/dev/zero: is a pipe, a socket or a device"},
+    {"CompareNoSpec", "compare none.yaml -o DIR", "", "", "none.yaml: no such file"},
+    {"CompareUnknownPlanner", kCompare, kComparedMap + "planners: [{name: boustrophedon}]\n", "",
+     "bad.yaml: line 2: planners.name: 'boustrophedon': unknown planner; did you mean "
+     "'grid_boustrophedon'?"},
+    {"CompareMissingMap", kCompare, "maps: [{file: none.txt}]\nplanners: [{name: grid_tplp}]\n", "",
+     "none.txt': no such file"},
+    {"CompareIntoAFile", "compare bad.yaml -o tiny.yaml",
+     kComparedMap + "planners: [{name: grid_tplp}]\n", "", "tiny.yaml is not a folder"},
+    {"CompareNoJobs", kCompare + " --jobs 0", kComparedMap + "planners: [{name: grid_tplp}]\n", "",
+     "--jobs: '0': a whole number from 1 to 1024"},
     {"UnknownSubcommand", "evalute tiny.yaml -o DIR", "", "", "did you mean 'evaluate'?"},
     {"UnknownListing", "list vehicels", "", "", "did you mean 'vehicles'?"},
     {"UnknownOption", "evaluate tiny.yaml --sed 3", "", "",

@@ -1,0 +1,92 @@
+// headland compare: planners on maps, several times each, side by side.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "apps/commands.h"
+#include "apps/compare_summary.h"
+#include "apps/interrupt.h"
+#include "apps/progress.h"
+#include "apps/terminal_text.h"
+#include "evaluate/atomic_file.h"
+#include "evaluate/comparison_file.h"
+#include "evaluate/comparison_reader.h"
+#include "terrains/input_error.h"
+#include "terrains/json_text.h"
+
+namespace headland {
+namespace {
+
+constexpr char kJsonFile[] = "compare.json";
+constexpr char kRunsFile[] = "runs.csv";
+constexpr char kTableFile[] = "table.csv";
+
+struct CompareCommand {
+  std::string spec;
+  std::string folder;
+  std::optional<std::uint64_t> seed;
+  int jobs = 1;
+  bool json = false;
+  bool quiet = false;
+};
+
+std::vector<ComparedRun> run_with_progress(const Comparison& comparison,
+                                           const CompareCommand& command) {
+  ProgressLine line = start_progress(command.quiet);
+  ComparisonOptions options;
+  options.jobs = command.jobs;
+  options.progress = [&line](int done, int all) { show_count(line, "runs", done, all); };
+  options.cancelled = interrupted;
+  std::vector<ComparedRun> runs = run_comparison(comparison, options);
+  end_progress(line);
+  return runs;
+}
+
+int compare(const CompareCommand& command) {
+  constexpr int kMostJobs = 1024;
+  if (command.jobs < 1 || command.jobs > kMostJobs) {
+    throw InputError("--jobs", "", fmt::format("{}", command.jobs),
+                     fmt::format("a whole number from 1 to {}", kMostJobs));
+  }
+  check_output_folder(command.folder);
+  Comparison comparison = read_comparison(command.spec, command.seed);
+  const std::vector<ComparedRun> runs = run_with_progress(comparison, command);
+  const ComparisonRanks ranks = rank_planners(comparison, runs);
+  const nlohmann::ordered_json json = comparison_json(comparison, runs, ranks, HEADLAND_VERSION);
+  write_together(command.folder, {{kJsonFile, json_text(json, 1) + "\n"},
+                                  {kRunsFile, comparison_runs_csv(comparison, runs)},
+                                  {kTableFile, comparison_table_csv(comparison, runs)}});
+  if (command.json) {
+    fmt::print("{}\n", json_text(json, 1));
+  } else if (!command.quiet) {
+    fmt::print("{}\ntables are in {}\n", comparison_summary(comparison, runs, ranks),
+               terminal_text(command.folder));
+  }
+  stop_if_interrupted();
+  return kExitRan;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("compare", "Compare planners on grid maps");
+  auto given = std::make_shared<CompareCommand>();
+  given->jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  command->add_option("SPEC", given->spec, "Maps, planners and how to compare them (YAML)")
+      ->required();
+  command->add_option("-o,--output", given->folder, "Folder for the results")->required();
+  command->add_option("--seed", given->seed, "Seed of every random draw, instead of the file's")
+      ->check(whole_number_fault);
+  command->add_option("--jobs", given->jobs, "Runs at the same time")->capture_default_str();
+  command->add_flag("--json", given->json, "Print compare.json, and nothing else");
+  command->add_flag("--quiet,-q", given->quiet, "No progress and no summary");
+  command->footer(
+      "Example:\n  headland compare examples/compare.yaml -o out/compare\n\n"
+      "Writes compare.json, runs.csv and table.csv.\n"
+      "Exits with 0, 2 for bad input, 130 after Ctrl-C (finished runs are kept).");
+  command->callback([given, &exit_code] { exit_code = compare(*given); });
+}
+
+}  // namespace headland

@@ -1,0 +1,158 @@
+#include "evaluate/comparison.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+
+#include "terrains/input_error.h"
+
+namespace headland {
+namespace {
+
+// FNV-1a, 64 bits.
+std::uint64_t hashed(std::uint64_t hash, std::string_view text) {
+  for (const char letter : text) {
+    hash ^= static_cast<unsigned char>(letter);
+    hash *= 0x100000001b3U;
+  }
+  return hash;
+}
+
+// The finalizer of SplitMix64: seeds that differ in a bit give draws that have nothing in common.
+std::uint64_t mixed(std::uint64_t value) {
+  value += 0x9e3779b97f4a7c15U;
+  value = (value ^ (value >> 30U)) * 0xbf58476d1ce4e5b9U;
+  value = (value ^ (value >> 27U)) * 0x94d049bb133111ebU;
+  return value ^ (value >> 31U);
+}
+
+GridPlanRequest request_of(const Comparison& comparison, const ComparedRun& run,
+                           const CancelAsked& cancelled) {
+  const ComparedMap& map = comparison.maps[static_cast<std::size_t>(run.map)];
+  const ComparedPlanner& planner = comparison.planners[static_cast<std::size_t>(run.planner)];
+  GridPlanRequest request;
+  request.map = map.map;
+  request.start = map.start;
+  request.end = map.end;
+  request.cost = comparison.cost;
+  request.stop = planner.stop;
+  request.parameters = planner.parameters;
+  request.seed = run.seed;
+  request.cancelled = cancelled;
+  return request;
+}
+
+void plan_run(const Comparison& comparison, const CancelAsked& cancelled, ComparedRun& run) {
+  const std::string& name = comparison.planners[static_cast<std::size_t>(run.planner)].name;
+  const GridPlannerEntry& planner = find_grid_planner(name, comparison.file.string());
+  const GridPlanRequest request = request_of(comparison, run, cancelled);
+  const auto begun = std::chrono::steady_clock::now();
+  try {
+    run.plan = planner.plan(request);
+    run.state = RunState::kPlanned;
+  } catch (const InputError& refused) {
+    run.state = RunState::kRefused;
+    run.refusal = refused.what();
+  } catch (const Cancelled&) {
+    return;  // as if it had never begun
+  }
+  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+}
+
+std::vector<ComparedRun> runs_to_do(const Comparison& comparison) {
+  std::vector<ComparedRun> runs;
+  for (std::size_t m = 0; m < comparison.maps.size(); ++m) {
+    const int free_cells = free_cell_count(comparison.maps[m].map);
+    for (std::size_t p = 0; p < comparison.planners.size(); ++p) {
+      for (int repeat = 0; repeat < comparison.repeats; ++repeat) {
+        ComparedRun run;
+        run.map = static_cast<int>(m);
+        run.planner = static_cast<int>(p);
+        run.repeat = repeat;
+        run.free_cells = free_cells;
+        run.seed = seed_of_run(comparison.seed, comparison.maps[m].name,
+                               comparison.planners[p].label, repeat);
+        runs.push_back(std::move(run));
+      }
+    }
+  }
+  return runs;
+}
+
+}  // namespace
+
+std::string_view run_state_name(RunState state) {
+  switch (state) {
+    case RunState::kPlanned:
+      return "planned";
+    case RunState::kRefused:
+      return "refused";
+    case RunState::kNotRun:
+      break;
+  }
+  return "not run";
+}
+
+std::uint64_t seed_of_run(std::uint64_t seed, std::string_view map, std::string_view label,
+                          int repeat) {
+  // Neither name can hold the byte that parts them.
+  std::uint64_t hash = hashed(mixed(seed), map);
+  hash = hashed(hashed(hash, std::string_view("\0", 1)), label);
+  return mixed(mixed(hash) + static_cast<std::uint64_t>(repeat));
+}
+
+std::vector<ComparedRun> run_comparison(const Comparison& comparison,
+                                        const ComparisonOptions& options) {
+  std::vector<ComparedRun> runs = runs_to_do(comparison);
+  const std::size_t repeats = static_cast<std::size_t>(comparison.repeats);
+  const std::size_t pairs = runs.size() / repeats;
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  int done = 0;
+  const auto cancelled = [&] { return options.cancelled && options.cancelled(); };
+  // More threads than processors only when asked for.
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(options.jobs));
+  tbb::task_arena arena(options.jobs);
+  arena.execute([&] {
+    tbb::parallel_for(0, options.jobs, [&](int) {
+      for (std::size_t i = next++; i < runs.size(); i = next++) {
+        if (cancelled()) return;
+        ComparedRun& run = runs[i % pairs * repeats + i / pairs];
+        plan_run(comparison, cancelled, run);
+        const std::scoped_lock lock(mutex);
+        done += run.state == RunState::kNotRun ? 0 : 1;
+        if (options.progress) options.progress(done, static_cast<int>(runs.size()));
+      }
+    });
+  });
+  return runs;
+}
+
+std::vector<const ComparedRun*> runs_of(const std::vector<ComparedRun>& runs, int map,
+                                        int planner) {
+  std::vector<const ComparedRun*> chosen;
+  for (const ComparedRun& run : runs) {
+    if (run.map == map && run.planner == planner) chosen.push_back(&run);
+  }
+  return chosen;
+}
+
+const ComparedRun* best_run(const std::vector<const ComparedRun*>& runs) {
+  const ComparedRun* best = nullptr;
+  const auto better = [](const GridPlan& one, const GridPlan& other) {
+    if ((one.jumps == 0) != (other.jumps == 0)) return one.jumps == 0;
+    return one.cost < other.cost;
+  };
+  for (const ComparedRun* run : runs) {
+    if (run->state != RunState::kPlanned) continue;
+    if (best == nullptr || better(run->plan, best->plan)) best = run;
+  }
+  return best;
+}
+
+}  // namespace headland

@@ -1,0 +1,103 @@
+// A comparison of planners: every planner on every map, several times.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planner/grid_plan.h"
+#include "planner/grid_planners.h"
+#include "terrains/grid_map.h"
+
+namespace headland {
+
+struct ComparedMap {
+  std::string name;
+  GridMap map;
+  std::optional<GridCell> start;  // none: the planner chooses
+  std::optional<GridCell> end;
+};
+
+struct ComparedPlanner {
+  std::string label;  // under which it appears; the same planner may have several
+  std::string name;   // of the table of grid planners
+  Parameters parameters;
+  GridStop stop;
+};
+
+// The same budget for all instead of each planner's own end.
+enum class Budget { kNone, kEvaluations, kSeconds };
+
+// What tests and ranks are made of. A map's mean over the repeats lets them speak of maps in
+// general, of which these are a sample; single runs let them speak of these maps alone.
+enum class BlockKind { kMaps, kRuns };
+
+struct ComparisonTests {
+  std::string figure = "cost";  // of figures_of_runs()
+  BlockKind blocks = BlockKind::kMaps;
+  std::string control;  // label the others are compared with
+  double alpha = 0.05;
+};
+
+struct Comparison {
+  std::filesystem::path file;  // it was read from
+  std::string name;
+  std::vector<ComparedMap> maps;
+  std::vector<ComparedPlanner> planners;
+  int repeats = 10;
+  std::uint64_t seed = 1;
+  GridCost cost;
+  Budget budget = Budget::kNone;
+  ComparisonTests tests;
+};
+
+enum class RunState {
+  kPlanned,
+  kRefused,  // the planner cannot plan this map
+  kNotRun    // the comparison was ended before
+};
+std::string_view run_state_name(RunState state);
+
+struct ComparedRun {
+  int map = 0;
+  int planner = 0;
+  int repeat = 0;
+  std::uint64_t seed = 0;
+  RunState state = RunState::kNotRun;
+  std::string refusal;  // why, in one line
+  int free_cells = 0;   // of the map
+  GridPlan plan;        // of kPlanned
+  double seconds = 0.0;
+};
+
+// Seed of one run: it depends on what it is called with alone, so that other maps, planners and
+// more repeats leave it as it is.
+std::uint64_t seed_of_run(std::uint64_t seed, std::string_view map, std::string_view label,
+                          int repeat);
+
+struct ComparisonOptions {
+  int jobs = 1;  // threads
+  // Called with the runs that are done, by one thread at a time.
+  std::function<void(int done, int all)> progress;
+  // Asked several times a second; true ends the comparison: what is done is kept.
+  CancelAsked cancelled;
+};
+
+// Every run in the order map, planner, repeat. All but `seconds` is the same with any number of
+// jobs, unless the budget is one of seconds. Runs are begun repeat by repeat, so that what an early
+// end leaves is balanced.
+std::vector<ComparedRun> run_comparison(const Comparison& comparison,
+                                        const ComparisonOptions& options);
+
+// The runs of one planner on one map.
+std::vector<const ComparedRun*> runs_of(const std::vector<ComparedRun>& runs, int map, int planner);
+
+// Of these runs the planned one with the least cost, one without jumps before one with any; null
+// where none is planned.
+const ComparedRun* best_run(const std::vector<const ComparedRun*>& runs);
+
+}  // namespace headland

@@ -1,0 +1,214 @@
+#include "evaluate/comparison_maps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <utility>
+
+#include "planner/grid_graph.h"
+#include "terrains/field_source.h"
+#include "terrains/grid_map_file.h"
+#include "terrains/grid_map_from_field.h"
+#include "terrains/grid_map_generator.h"
+#include "terrains/input_error.h"
+
+namespace headland {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kSourceKeys = {"file", "cells", "generator", "field"};
+const std::vector<std::string> kMapKeys = {"name",  "file",   "cells",   "generator", "field",
+                                           "count", "cell_m", "heights", "start",     "end"};
+const std::vector<std::string> kGeneratorKeys = {"columns", "rows", "blocked_share", "obstacles",
+                                                 "seed"};
+const std::vector<std::string> kFieldKeys = {"file", "layer", "crs", "width_m", "direction_deg"};
+
+constexpr NumberRange kCell{kMinGridCell_m, kMaxGridCell_m};
+
+constexpr std::array<std::pair<std::string_view, MapCorner>, 4> kCorners = {
+    {{"north_west", MapCorner::kNorthWest},
+     {"north_east", MapCorner::kNorthEast},
+     {"south_west", MapCorner::kSouthWest},
+     {"south_east", MapCorner::kSouthEast}}};
+
+bool has_key(const YamlSection& section, std::string_view key) {
+  const YAML::Node node = section.node;
+  return node[std::string(key)].IsDefined();
+}
+
+// Keys that belong to one kind of map only.
+void refuse_key(const YamlSection& section, std::string_view key, const std::string& whose) {
+  if (!has_key(section, key)) return;
+  throw InputError(section.source, place_of(section, key), "", "only with " + whose);
+}
+
+std::optional<GridCell> cell_of(const std::optional<GivenCell>& given, const GridMap& map) {
+  if (!given || std::holds_alternative<FreeChoice>(*given)) return std::nullopt;
+  if (const auto* cell = std::get_if<GridCell>(&*given)) return *cell;
+  const MapCorner corner = std::get<MapCorner>(*given);
+  const bool east = corner == MapCorner::kNorthEast || corner == MapCorner::kSouthEast;
+  const bool north = corner == MapCorner::kNorthWest || corner == MapCorner::kNorthEast;
+  return GridCell{east ? map.columns - 1 : 0, north ? map.rows - 1 : 0};
+}
+
+// Gives the map its ends and refuses what no planner could plan.
+void set_ends(const YamlSection& section, const MapEnds& defaults, ComparedMap& map) {
+  const auto own_start = read_corner(section, "start");
+  const auto own_end = read_corner(section, "end");
+  map.start = cell_of(own_start ? own_start : defaults.start, map.map);
+  map.end = cell_of(own_end ? own_end : defaults.end, map.map);
+  const std::string whose = fmt::format("{} '{}'", place_of_itself(section), map.name);
+  const GridGraph graph = grid_graph(map.map, section.source + ": " + whose);
+  const auto check = [&](const std::optional<GridCell>& cell, const char* key) {
+    if (cell) node_at(map.map, graph, *cell, section.source, fmt::format("{}: {}", whose, key));
+  };
+  check(map.start, "start");
+  check(map.end, "end");
+  if (map.start && map.start == map.end && graph.size() > 1) {
+    throw InputError(section.source, whose + ": end",
+                     fmt::format("{}, {}", map.end->column, map.end->row),
+                     "another cell than the start");
+  }
+}
+
+std::vector<ComparedMap> made_up_maps(const YamlSection& entry, const YamlSection& section,
+                                      std::uint64_t seed) {
+  refuse_unknown_keys(section, kGeneratorKeys);
+  GridMapRecipe recipe;
+  recipe.columns = read_count(section, "columns", 1, kMaxGridSide).value_or(recipe.columns);
+  recipe.rows = read_count(section, "rows", 1, kMaxGridSide).value_or(recipe.rows);
+  recipe.blocked_share =
+      read_number(section, "blocked_share", {0.0, kMaxBlockedShare}).value_or(recipe.blocked_share);
+  recipe.obstacles =
+      read_count(section, "obstacles", 0, kMaxGridSide * kMaxGridSide).value_or(recipe.obstacles);
+  recipe.seed = read_whole_number(section, "seed").value_or(seed);
+  const std::string name =
+      read_word(entry, "name").value_or(fmt::format("{}x{}", recipe.columns, recipe.rows));
+  const auto count = read_count(entry, "count", 1, kMostMapsOfARecipe);
+  std::vector<ComparedMap> maps;
+  for (int i = 0; i < count.value_or(1); ++i, ++recipe.seed) {
+    ComparedMap map;
+    map.name = count ? fmt::format("{}_{}", name, i + 1) : name;
+    map.map = made_up_grid_map(recipe, entry.source + ": " + place_of_itself(section));
+    map.map.cell_m = read_number(entry, "cell_m", kCell).value_or(map.map.cell_m);
+    maps.push_back(std::move(map));
+  }
+  return maps;
+}
+
+ComparedMap map_of_field(const YamlSection& entry, const YamlSection& section,
+                         const fs::path& folder) {
+  refuse_unknown_keys(section, kFieldKeys);
+  FieldSource source;
+  source.file = read_file_name(section, "file", folder);
+  source.layer = read_word(section, "layer").value_or("");
+  source.crs = read_crs(section);
+  const auto width_m = read_number(section, "width_m", kCell);
+  if (source.file.empty() || !width_m) {
+    throw InputError(section.source, place_of(section, source.file.empty() ? "file" : "width_m"),
+                     "", "the key is missing: a field's file and the working width are needed");
+  }
+  const double direction_deg = read_number(section, "direction_deg", {-360.0, 360.0}).value_or(0.0);
+  ComparedMap map;
+  map.name = read_word(entry, "name").value_or(source.file.stem().string());
+  map.map = grid_of_field(read_field(source, entry.source), *width_m,
+                          direction_deg * std::numbers::pi / 180.0,
+                          entry.source + ": " + place_of_itself(section))
+                .map;
+  return map;
+}
+
+ComparedMap map_of_file(const YamlSection& entry, std::string_view key, const fs::path& folder) {
+  const fs::path file = read_file_name(entry, key, folder);
+  const double cell_m = read_number(entry, "cell_m", kCell).value_or(1.0);
+  ComparedMap map;
+  map.name = read_word(entry, "name").value_or(file.stem().string());
+  map.map = key == "file" ? read_grid_map(file, cell_m) : read_cell_list(file, cell_m);
+  return map;
+}
+
+std::vector<ComparedMap> maps_of(const YamlSection& section, const fs::path& folder,
+                                 std::uint64_t seed) {
+  const auto generator = read_section(section, "generator");
+  const auto field = read_section(section, "field", "a section with file and width_m");
+  if (!generator) refuse_key(section, "count", "a generator");
+  if (field) refuse_key(section, "cell_m", "other maps: a field's cells are field.width_m wide");
+  if (generator) return made_up_maps(section, *generator, seed);
+  if (field) return {map_of_field(section, *field, folder)};
+  return {map_of_file(section, has_key(section, "file") ? "file" : "cells", folder)};
+}
+
+}  // namespace
+
+std::optional<GivenCell> read_corner(const YamlSection& section, std::string_view key) {
+  if (!has_key(section, key)) return std::nullopt;
+  const YAML::Node mapping = section.node;
+  const YAML::Node node = mapping[std::string(key)];
+  constexpr const char* kAllowed =
+      "[column, row] counted from 0 in the south-west, free, or a corner: north_west, north_east, "
+      "south_west, south_east";
+  if (node.IsSequence()) {
+    const Eigen::Vector2d point = read_point(section, key).value();
+    if (point.array().floor().matrix() != point || point.minCoeff() < 0.0 ||
+        point.maxCoeff() >= kMaxGridSide) {
+      throw InputError(section.source, place_of(section, key),
+                       fmt::format("[{}, {}]", point.x(), point.y()), kAllowed);
+    }
+    return GridCell{static_cast<int>(point.x()), static_cast<int>(point.y())};
+  }
+  const std::string word = read_word(section, key, kAllowed).value();
+  if (word == "free") return FreeChoice{};
+  for (const auto& [name, corner] : kCorners) {
+    if (name == word) return corner;
+  }
+  throw InputError(section.source, place_of(section, key), word, kAllowed);
+}
+
+std::vector<ComparedMap> read_compared_maps(const YamlSection& section, const MapEnds& ends,
+                                            std::uint64_t seed) {
+  refuse_unknown_keys(section, kMapKeys);
+  const auto sources = std::count_if(kSourceKeys.begin(), kSourceKeys.end(),
+                                     [&](const auto& key) { return has_key(section, key); });
+  if (sources != 1) {
+    throw InputError(section.source, place_of_itself(section), "",
+                     fmt::format("one of {} is needed, and no two", fmt::join(kSourceKeys, ", ")));
+  }
+  const fs::path folder = fs::absolute(section.source).parent_path();
+  std::vector<ComparedMap> maps = maps_of(section, folder, seed);
+  const fs::path heights = read_file_name(section, "heights", folder);
+  for (ComparedMap& map : maps) {
+    if (!heights.empty()) read_cell_heights(heights, map.map);
+    set_ends(section, ends, map);
+  }
+  return maps;
+}
+
+std::vector<std::string> compared_map_key_paths() {
+  std::vector<std::string> paths;
+  const auto add = [&](const std::string& prefix, const std::vector<std::string>& keys) {
+    std::transform(keys.begin(), keys.end(), std::back_inserter(paths),
+                   [&](const std::string& key) { return prefix + key; });
+  };
+  add("maps.", kMapKeys);
+  add("maps.generator.", kGeneratorKeys);
+  add("maps.field.", kFieldKeys);
+  return paths;
+}
+
+std::optional<int> read_count(const YamlSection& section, std::string_view key, int least,
+                              int most) {
+  const auto value = read_whole_number(section, key);
+  if (!value) return std::nullopt;
+  if (*value >= static_cast<std::uint64_t>(least) && *value <= static_cast<std::uint64_t>(most)) {
+    return static_cast<int>(*value);
+  }
+  throw InputError(section.source, place_of(section, key), fmt::format("{}", *value),
+                   fmt::format("a whole number from {} to {} is needed", least, most));
+}
+
+}  // namespace headland

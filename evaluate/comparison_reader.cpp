@@ -1,0 +1,285 @@
+#include "evaluate/comparison_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "evaluate/comparison_figures.h"
+#include "evaluate/comparison_maps.h"
+#include "evaluate/yaml_parameters.h"
+#include "evaluate/yaml_section.h"
+#include "terrains/input_error.h"
+
+namespace headland {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kTopKeys = {"name",     "seed", "repeats", "start",  "end",  "maps",
+                                           "planners", "cost", "stop",    "budget", "tests"};
+const std::vector<std::string> kPlannerKeys = {"name", "label", "stop"};
+const std::vector<std::string> kCostKeys = {"objective", "repeat", "turn", "u_turn", "tractor"};
+const std::vector<std::string> kStopKeys = {"iterations", "evaluations", "seconds", "stagnation"};
+const std::vector<std::string> kBudgetKeys = {"evaluations", "seconds"};
+const std::vector<std::string> kTestKeys = {"figure", "blocks", "control", "alpha"};
+
+constexpr double kMostSeconds = 86400.0;
+constexpr int kNoLimit = std::numeric_limits<int>::max();
+
+struct TractorKey {
+  std::string_view key;
+  double TractorEnergy::*value;
+};
+constexpr std::array kTractorKeys{TractorKey{"mass_kg", &TractorEnergy::mass_kg},
+                                  TractorKey{"friction", &TractorEnergy::friction},
+                                  TractorKey{"gravity_m_s2", &TractorEnergy::gravity_m_s2},
+                                  TractorKey{"turn_speed_m_s", &TractorEnergy::turn_speed_m_s},
+                                  TractorKey{"voltage_v", &TractorEnergy::voltage_v},
+                                  TractorKey{"turn_current_a", &TractorEnergy::turn_current_a},
+                                  TractorKey{"length_weight", &TractorEnergy::length_weight},
+                                  TractorKey{"height_weight", &TractorEnergy::height_weight},
+                                  TractorKey{"turn_weight", &TractorEnergy::turn_weight}};
+
+std::vector<std::string> tractor_keys() {
+  std::vector<std::string> keys(kTractorKeys.size());
+  std::transform(kTractorKeys.begin(), kTractorKeys.end(), keys.begin(),
+                 [](const TractorKey& key) { return std::string(key.key); });
+  return keys;
+}
+
+// One of the words, as its place in the list; the first when the key is absent.
+std::size_t read_choice(const YamlSection& section, std::string_view key,
+                        const std::vector<std::string>& words) {
+  const auto given = read_word(section, key);
+  if (!given) return 0;
+  const auto found = std::find(words.begin(), words.end(), *given);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  throw InputError(section.source, place_of(section, key), *given,
+                   fmt::format("unknown word; did you mean '{}'? (known: {})",
+                               nearest_name(*given, words), fmt::join(words, ", ")));
+}
+
+GridStop read_stop(const YamlSection& section) {
+  refuse_unknown_keys(section, kStopKeys);
+  GridStop stop;
+  const auto count = [&](std::string_view key) { return read_count(section, key, 1, kNoLimit); };
+  const auto iterations = count("iterations");
+  stop.evaluations = count("evaluations").value_or(0);
+  stop.seconds = read_number(section, "seconds", {0.001, kMostSeconds}).value_or(0.0);
+  stop.stagnation = count("stagnation").value_or(0);
+  const bool otherwise = stop.evaluations > 0 || stop.seconds > 0.0;
+  stop.iterations = iterations.value_or(otherwise ? kNoLimit : stop.iterations);
+  return stop;
+}
+
+GridStop read_budget(const YamlSection& section, Budget& budget) {
+  refuse_unknown_keys(section, kBudgetKeys);
+  GridStop stop;
+  stop.iterations = kNoLimit;
+  const auto evaluations = read_count(section, "evaluations", 1, kNoLimit);
+  const auto seconds = read_number(section, "seconds", {0.001, kMostSeconds});
+  if (static_cast<bool>(evaluations) == static_cast<bool>(seconds)) {
+    throw InputError(section.source, place_of_itself(section), "",
+                     "either budget.evaluations or budget.seconds is needed, and not both");
+  }
+  budget = evaluations ? Budget::kEvaluations : Budget::kSeconds;
+  stop.evaluations = evaluations.value_or(0);
+  stop.seconds = seconds.value_or(0.0);
+  return stop;
+}
+
+GridCost read_grid_cost(const YamlSection& top) {
+  GridCost cost;
+  const auto section = read_section(top, "cost");
+  if (!section) return cost;
+  refuse_unknown_keys(*section, kCostKeys);
+  cost.objective = std::array{GridObjective::kLength, GridObjective::kWeighted,
+                              GridObjective::kTractor}[read_choice(
+      *section, "objective", {"length", "weighted", "tractor"})];
+  const auto only_of = [&](std::string_view key, GridObjective objective, const char* word) {
+    const YAML::Node node = section->node;
+    if (!node[std::string(key)].IsDefined() || cost.objective == objective) return;
+    throw InputError(top.source, place_of(*section, key), "",
+                     fmt::format("only with cost.objective: {}", word));
+  };
+  constexpr NumberRange kWeight{0.0, 1e6};
+  for (const auto& [key, weight] : {std::pair{"repeat", &cost.weights.repeat},
+                                    {"turn", &cost.weights.turn},
+                                    {"u_turn", &cost.weights.u_turn}}) {
+    only_of(key, GridObjective::kWeighted, "weighted");
+    *weight = read_number(*section, key, kWeight).value_or(*weight);
+  }
+  only_of("tractor", GridObjective::kTractor, "tractor");
+  if (const auto tractor = read_section(*section, "tractor")) {
+    refuse_unknown_keys(*tractor, tractor_keys());
+    for (const TractorKey& key : kTractorKeys) {
+      double& value = cost.tractor.*key.value;
+      value = read_number(*tractor, key.key, {0.0, 1e6}).value_or(value);
+    }
+  }
+  check_grid_cost(cost, fmt::format("{}: {}", top.source, place_of_itself(*section)));
+  return cost;
+}
+
+ComparedPlanner read_compared_planner(const YamlSection& section, const GridStop& stop,
+                                      Budget budget) {
+  const auto name = read_word(section, "name");
+  if (!name) {
+    throw InputError(section.source, place_of(section, "name"), "",
+                     "the key is missing: a grid planner (headland list planners)");
+  }
+  const std::string place = place_of(section, "name");
+  std::vector<std::string> names;
+  for (const GridPlannerEntry& entry : grid_planners()) names.emplace_back(entry.name);
+  if (std::find(names.begin(), names.end(), *name) == names.end()) {
+    throw InputError(section.source, place, *name,
+                     fmt::format("unknown planner; did you mean '{}'? (known: {})",
+                                 nearest_name(*name, names), fmt::join(names, ", ")));
+  }
+  const GridPlannerEntry& entry = find_grid_planner(*name, section.source);
+  std::vector<std::string> known = kPlannerKeys;
+  const std::vector<std::string> own = parameter_names(entry.parameters);
+  known.insert(known.end(), own.begin(), own.end());
+  refuse_unknown_keys(section, known);
+  ComparedPlanner planner;
+  planner.name = *name;
+  planner.label = read_word(section, "label").value_or(*name);
+  planner.parameters = read_parameters(section, entry.parameters);
+  planner.stop = stop;
+  if (const auto own_stop = read_section(section, "stop")) {
+    if (budget != Budget::kNone) {
+      throw InputError(section.source, place_of(section, "stop"), "",
+                       "not with budget, which is the same for all");
+    }
+    planner.stop = read_stop(*own_stop);
+  }
+  return planner;
+}
+
+// Names are told apart where they are read and in the files that carry them.
+void refuse_repeated(const YamlSection& top, std::string_view list, const std::string& key,
+                     const std::vector<std::string>& names) {
+  std::set<std::string> seen;
+  for (const std::string& name : names) {
+    if (name_in_files(name).find_first_not_of("._") == std::string::npos) {
+      throw InputError(top.source, place_of(top, list), name,
+                       fmt::format("a {} with a letter or a digit is needed", key));
+    }
+    if (seen.insert(name_in_files(name)).second) continue;
+    throw InputError(top.source, place_of(top, list), name,
+                     fmt::format("the {} stands twice; in files, what is not a letter, digit, '-' "
+                                 "or '.' counts as '_'",
+                                 key));
+  }
+}
+
+void read_planners(const YamlSection& top, Comparison& comparison) {
+  GridStop stop;
+  if (const auto section = read_section(top, "stop")) stop = read_stop(*section);
+  if (const auto section = read_section(top, "budget")) {
+    if (read_section(top, "stop")) {
+      throw InputError(top.source, place_of(top, "budget"), "", "either budget or stop, not both");
+    }
+    stop = read_budget(*section, comparison.budget);
+  }
+  std::vector<std::string> labels;
+  for (const YamlSection& section :
+       read_sections(top, "planners").value_or(std::vector<YamlSection>{})) {
+    comparison.planners.push_back(read_compared_planner(section, stop, comparison.budget));
+    labels.push_back(comparison.planners.back().label);
+  }
+  if (labels.empty()) {
+    throw InputError(top.source, place_of(top, "planners"), "",
+                     "a list with at least one planner is needed");
+  }
+  refuse_repeated(top, "planners", "label", labels);
+}
+
+void read_maps(const YamlSection& top, Comparison& comparison) {
+  const MapEnds ends{read_corner(top, "start"), read_corner(top, "end")};
+  std::vector<std::string> names;
+  for (const YamlSection& section :
+       read_sections(top, "maps").value_or(std::vector<YamlSection>{})) {
+    for (ComparedMap& map : read_compared_maps(section, ends, comparison.seed)) {
+      names.push_back(map.name);
+      comparison.maps.push_back(std::move(map));
+    }
+  }
+  if (names.empty()) {
+    throw InputError(top.source, place_of(top, "maps"), "",
+                     "a list with at least one map is needed");
+  }
+  refuse_repeated(top, "maps", "name", names);
+}
+
+void read_tests(const YamlSection& top, Comparison& comparison) {
+  const auto section = read_section(top, "tests");
+  if (!section) return;
+  refuse_unknown_keys(*section, kTestKeys);
+  ComparisonTests& tests = comparison.tests;
+  tests.figure = read_word(*section, "figure").value_or(tests.figure);
+  find_figure(tests.figure, top.source, place_of(*section, "figure"));
+  tests.blocks = std::array{BlockKind::kMaps,
+                            BlockKind::kRuns}[read_choice(*section, "blocks", {"maps", "runs"})];
+  tests.alpha = read_number(*section, "alpha", {0.001, 0.5}).value_or(tests.alpha);
+  tests.control = read_word(*section, "control").value_or("");
+  if (tests.control.empty()) return;
+  std::vector<std::string> labels;
+  for (const ComparedPlanner& planner : comparison.planners) labels.push_back(planner.label);
+  if (std::find(labels.begin(), labels.end(), tests.control) != labels.end()) return;
+  throw InputError(top.source, place_of(*section, "control"), tests.control,
+                   fmt::format("none of the planners' labels; did you mean '{}'? (known: {})",
+                               nearest_name(tests.control, labels), fmt::join(labels, ", ")));
+}
+
+}  // namespace
+
+Comparison read_comparison(const fs::path& file, std::optional<std::uint64_t> seed) {
+  const YamlSection top = read_yaml(file);
+  refuse_unknown_keys(top, kTopKeys);
+  Comparison comparison;
+  comparison.file = file;
+  comparison.name = read_word(top, "name").value_or(file.stem().string());
+  comparison.seed = read_whole_number(top, "seed").value_or(comparison.seed);
+  comparison.seed = seed.value_or(comparison.seed);
+  comparison.repeats = read_count(top, "repeats", 1, kMostRepeats).value_or(comparison.repeats);
+  comparison.cost = read_grid_cost(top);
+  read_planners(top, comparison);
+  read_tests(top, comparison);
+  read_maps(top, comparison);
+  return comparison;
+}
+
+std::vector<std::string> comparison_key_paths() {
+  std::vector<std::string> paths;
+  const auto add = [&](const std::string& prefix, const std::vector<std::string>& keys) {
+    for (const std::string& key : keys) paths.push_back(prefix + key);
+  };
+  add("", kTopKeys);
+  add("planners.", kPlannerKeys);
+  add("cost.", kCostKeys);
+  add("cost.tractor.", tractor_keys());
+  add("stop.", kStopKeys);
+  add("budget.", kBudgetKeys);
+  add("tests.", kTestKeys);
+  const std::vector<std::string> maps = compared_map_key_paths();
+  paths.insert(paths.end(), maps.begin(), maps.end());
+  return paths;
+}
+
+std::string name_in_files(std::string_view name) {
+  std::string text;
+  for (const char letter : name) {
+    const bool plain = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+                       (letter >= '0' && letter <= '9') || letter == '-' || letter == '.';
+    text += plain ? letter : '_';
+  }
+  return text;
+}
+
+}  // namespace headland

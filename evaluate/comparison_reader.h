@@ -1,0 +1,32 @@
+// Reads what `headland compare` is to do. Every key: docs/compare.md.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "evaluate/comparison.h"
+
+namespace headland {
+
+// Maps loaded or made, parameters completed. Throws InputError with file, line and key path:
+// malformed YAML, an unknown key (with the nearest known one), a key given twice, a missing one, a
+// value out of its range, an unknown planner, parameter, figure or label, names that stand twice or
+// would give the same file, a map that cannot be read or made or whose free cells are not
+// connected, a start or end that is not free, and what check_grid_cost refuses.
+// `seed` replaces the file's.
+Comparison read_comparison(const std::filesystem::path& file,
+                           std::optional<std::uint64_t> seed = std::nullopt);
+
+// Every key path, sections included, but for the parameters of planners.
+std::vector<std::string> comparison_key_paths();
+
+// A name as part of a file's: letters, digits, '-' and '.' as they are, all else '_'.
+std::string name_in_files(std::string_view name);
+
+inline constexpr int kMostRepeats = 10000;
+
+}  // namespace headland

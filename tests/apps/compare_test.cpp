@@ -1,0 +1,74 @@
+// The comparison from end to end, on tiny maps.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/command.h"
+
+namespace headland {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class CompareTest : public CommandTest {
+ protected:
+  void SetUp() override {
+    CommandTest::SetUp();
+    write("drawn.txt", "....\n.#..\n....\n");
+    write("compare.yaml",
+          "name: tiny\nrepeats: 2\nstart: north_west\n"
+          "maps:\n  - {file: drawn.txt}\n"
+          "  - {name: made, count: 5, generator: {columns: 6, rows: 5, obstacles: 1}}\n"
+          "stop: {iterations: 5}\n"
+          "planners:\n  - {name: grid_tplp, label: ours}\n  - {name: grid_ga, label: GA}\n"
+          "  - {name: grid_boustrophedon, label: rows}\n"
+          "tests: {control: ours, blocks: runs}\n");
+  }
+};
+
+TEST_F(CompareTest, TellsTablesRanksAndTests) {
+  const CommandResult result = headland("compare compare.yaml -o DIR");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");  // no progress into a pipe
+  EXPECT_THAT(result.out, StartsWith("tiny: 3 planners on 6 maps, 2 repeats, each planner's own "
+                                     "end, seed 1\n"));
+  EXPECT_THAT(result.out,
+              HasSubstr("\ndrawn: 4 x 3 cells of 1 m, 11 free, start [0, 2], end free"));
+  EXPECT_THAT(result.out, HasSubstr("  GA: 2 of 2 plans jump between cells"));
+  EXPECT_THAT(result.out, HasSubstr("ranks by cost over 12 single runs"));
+  EXPECT_THAT(result.out, HasSubstr("Iman and Davenport: F "));
+  EXPECT_THAT(result.out, HasSubstr("Bonferroni and Dunn: average ranks "));
+  EXPECT_THAT(result.out, HasSubstr("12 runs failed"));
+  for (const char* file : {"compare.json", "runs.csv", "table.csv"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "DIR" / file)) << file;
+  }
+  const auto json = nlohmann::json::parse(text_of(folder_ / "DIR" / "compare.json"));
+  EXPECT_EQ(json["runs"].size(), 36U);
+  EXPECT_EQ(json["results"].size(), 18U);
+  EXPECT_EQ(json["results"][2]["best"]["path"][0], nlohmann::json({0, 2}));
+}
+
+TEST_F(CompareTest, JsonIsTheFileAndNothingElse) {
+  const CommandResult result = headland("compare compare.yaml -o DIR --json");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, text_of(folder_ / "DIR" / "compare.json"));
+  EXPECT_EQ(headland("compare compare.yaml -o DIR -q").out, "");
+}
+
+TEST_F(CompareTest, CtrlCKeepsTheRunsThatAreDone) {
+  write("compare.yaml",
+        "repeats: 1\nmaps: [{generator: {columns: 12, rows: 12}}]\nbudget: {seconds: 60}\n"
+        "planners: [{name: grid_boustrophedon, label: rows}, {name: grid_iga}]\n");
+  // Signals go to the command alone, not to the shell around it.
+  const CommandResult result = headland("compare compare.yaml -o DIR --jobs 1", "timeout -s INT 2");
+  EXPECT_EQ(result.exit_code, 124) << result.err;  // of timeout itself
+  EXPECT_THAT(result.err, HasSubstr("headland: interrupted"));
+  const auto json = nlohmann::json::parse(text_of(folder_ / "DIR" / "compare.json"));
+  EXPECT_EQ(json["results"][0]["runs"]["planned"], 1);
+  EXPECT_EQ(json["results"][1]["runs"]["not_run"], 1);
+  EXPECT_EQ(json["ranks"]["blocks_left_out"], 1);
+}
+
+}  // namespace
+}  // namespace headland
