@@ -120,8 +120,11 @@ void clear_obstacle(CoverageRaster& raster, const Obstacle& obstacle) {
 }
 
 void mark_field(CoverageRaster& raster, Scanline& scan, const Field& field) {
-  add_ring(scan, raster, field.boundary);
-  for (const Ring& hole : field.holes) add_ring(scan, raster, hole);
+  if (field.to_work.empty()) {
+    add_ring(scan, raster, field.boundary);
+    for (const Ring& hole : field.holes) add_ring(scan, raster, hole);
+  }
+  for (const Ring& outline : field.to_work) add_ring(scan, raster, outline);
   fill(scan, [&](int row, int begin, int end) {
     const auto first =
         raster.in_field.begin() + static_cast<std::ptrdiff_t>(index_of(raster, begin, row));

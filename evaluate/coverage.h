@@ -31,11 +31,11 @@ inline constexpr double kMaxCoverageMargin_m = 100.0;
 inline constexpr double kMaxCoverageMemory_gb = 2.0;
 
 struct CoverageFigures {
-  double workable_m2 = 0.0;  // field minus holes and obstacles
+  double workable_m2 = 0.0;  // field minus holes and obstacles, or what of it is to be worked
   double covered_m2 = 0.0;   // worked at least once, workable ground
   double overlap_m2 = 0.0;   // extra passes: sum of (times - 1), workable ground
   double missed_m2 = 0.0;
-  double outside_m2 = 0.0;  // worked beyond the boundary, in a hole or on an obstacle
+  double outside_m2 = 0.0;  // worked elsewhere: beyond the boundary, in a hole, on an obstacle
 };
 
 // Fills the quadrangle between each footprint and the one it is joined to. The rule is half-open:

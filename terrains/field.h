@@ -38,6 +38,9 @@ struct Field {
   std::vector<Obstacle> obstacles;
   std::optional<Eigen::Vector2d> entry_W;
   GeoFrame frame;
+  // Outlines of the ground to be worked where that is less than the whole field, as of grid maps:
+  // what an odd number of them encloses. Empty: all of it.
+  std::vector<Ring> to_work;
 };
 
 // Signed area [m2] of a ring, positive when counter-clockwise (shoelace).
