@@ -108,6 +108,9 @@ void record(Joining& joining, const Overrun& worst, std::string_view what) {
 
 PathKind connection_kind(const Joining& joining, const Pose& from, const Pose& to,
                          const std::vector<Arc>& arcs) {
+  const bool straight =
+      std::ranges::all_of(arcs, [](const Arc& arc) { return arc.curvature_per_m == 0.0; });
+  if (straight) return PathKind::kTransit;
   const double turn_like_m = 2.0 * std::numbers::pi * joining.radius_m +
                              kTransitWidths * joining.vehicle.implement.working_width_m;
   if (length_m(arcs) > turn_like_m) return PathKind::kTransit;
@@ -182,6 +185,11 @@ void append_run_in(Joining& joining, std::vector<PathPoint> points) {
     segments.push_back(
         {PathKind::kTransit, Gear::kForward, false, joining.manoeuvre, std::move(points)});
     ++joining.manoeuvre;
+    return;
+  }
+  if (segments.back().gear == Gear::kReverse) {
+    segments.push_back({segments.back().kind, Gear::kForward, false, segments.back().manoeuvre,
+                        std::move(points)});
     return;
   }
   std::vector<PathPoint>& turn = segments.back().points;

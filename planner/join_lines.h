@@ -12,7 +12,8 @@ namespace headland {
 // How a connection is named: opposite neighbours whose headings differ by this much are joined by
 // a U-turn,
 inline constexpr double kUTurnAngle_rad = 2.356;  // 135 degrees
-// and what is longer than 2 pi R + kTransitWidths working widths is a transit, whatever its shape.
+// and what is longer than 2 pi R + kTransitWidths working widths is a transit, whatever its shape,
+// as is what is straight.
 inline constexpr double kTransitWidths = 4.0;
 
 // Curvature estimated on passes may exceed the vehicle's by this fraction: it is a difference
