@@ -102,7 +102,6 @@ bool joined(GridJoining& joining, const GridRun& from, const GridRun& to) {
   int left = most;
   const bool found = connect(joining.space, end, begin, options, left).has_value();
   (found ? joining.found_nodes : joining.lost_nodes) -= most - left;
-  fprintf(stderr, "%s %d\n", found ? "found" : "lost", most - left);
   return found;
 }
 
