@@ -78,6 +78,13 @@ void add_body(const Vehicle& vehicle, Figures& out) {
           fmt::format("{:.2f}, {:.2f} kN", 0.5e-3 * loads.rear_n, 0.5e-3 * loads.front_n));
 }
 
+// Motors at the wheels may all be at a limit of their own, of torque or of grip.
+std::string_view climbing_limit(double climbs, double by_motor, double by_grip) {
+  constexpr double kClearlyLess = 0.9;  // than either limit alone, which slip may lower a little
+  if (climbs < kClearlyLess * std::min(by_motor, by_grip)) return "motors' and grip's limit";
+  return by_motor < by_grip ? "motor's limit" : "grip's limit";
+}
+
 void add_limits(const Vehicle& vehicle, const Soil& soil, Figures& out) {
   const double side = degrees(side_stability_angle_rad(vehicle));
   const double up = degrees(nose_up_stability_angle_rad(vehicle));
@@ -98,8 +105,7 @@ void add_limits(const Vehicle& vehicle, const Soil& soil, Figures& out) {
   const double by_grip = max_grade_by_grip(vehicle, on_soil.net_pull, on_soil.rolling_resistance);
   const double climbs = gradeability(vehicle, soil);
   out.add("gradeability", climbs, "Climbs",
-          fmt::format("{:.0f} % ({})", 100.0 * climbs,
-                      by_motor < by_grip ? "motor's limit" : "grip's limit"));
+          fmt::format("{:.0f} % ({})", 100.0 * climbs, climbing_limit(climbs, by_motor, by_grip)));
   out.add("gradeability_by_motor", by_motor, "", "");
   out.add("gradeability_by_grip", by_grip, "", "");
 }
