@@ -117,8 +117,12 @@ void add_obstacle_features(GDALDataset& dataset, const FieldSource& source, Fiel
     for (const auto& feature : *layer) {
       const GivenFeature given{*feature, file, fmt::format("feature {}", ++number)};
       const OGRGeometry* geometry = feature->GetGeometryRef();
-      if (geometry == nullptr || !is_obstacle(*feature)) continue;
+      if (!is_obstacle(*feature)) continue;
       ObstacleSource obstacle = default_obstacle(kind_of(given));
+      if (geometry == nullptr || geometry->IsEmpty()) {
+        throw InputError(file, given.where, std::string(obstacle_kind_name(obstacle.kind)),
+                         "has no geometry that says where it is");
+      }
       if (runs_along_line(obstacle.kind)) {
         obstacle.radius_m = 0.5 * given.size_m("thickness_m", 2.0 * obstacle.radius_m,
                                                kMinThickness_m, kMaxThickness_m);

@@ -150,6 +150,9 @@ void read_soil_zones(const SoilSource& source, const Field& field, SoilMap& map)
     if (geometry == nullptr || !is_polygon(*geometry)) continue;
     // Arcs of curved polygons become short chords.
     Zone zone{std::unique_ptr<OGRGeometry>(geometry->getLinearGeometry()), 0};
+    if (!zone.shape_W->IsValid()) {
+      throw InputError(file, where, "", "its polygon crosses itself, or its rings one another");
+    }
     if (!crs.empty() &&
         (to_local == nullptr || zone.shape_W->transform(to_local.get()) != OGRERR_NONE)) {
       throw InputError(file, where, "", "lies outside the domain of the CRS; is the crs right?");

@@ -80,6 +80,8 @@ TEST_F(ObstacleFeatures, AreRefusedByFeatureAndProperty) {
             at + ": 'wall': runs along a line of at least two different points");
   EXPECT_EQ(refused(feature(R"("obstacle": "tree")", "LineString", kLine)),
             at + ": 'tree': stands at a point; walls and fences run along lines");
+  EXPECT_EQ(refused(feature(R"("obstacle": "tree")", "Point", "[]")),
+            at + ": 'tree': has no geometry that says where it is");
   EXPECT_THAT(refused(feature(R"("obstacle": "rock")", "Polygon",
                               "[[[-93.001, 43.0005], [-93.0009, 43.0005], [-93.0009, 43.0006], "
                               "[-93.001, 43.0005]]]")),

@@ -181,6 +181,16 @@ TEST_F(SoilSourceFile, RefusesZonesWithoutASoil) {
   }
 }
 
+// A zone whose edges cross covers either half or nothing, as one reads it.
+TEST_F(SoilSourceFile, RefusesZonesThatCrossThemselves) {
+  const std::string bow_tie =
+      R"({"type": "Feature", "properties": {"soil": "soft"}, "geometry": {"type": "Polygon", )"
+      R"("coordinates": [[[-93, 43.9], [-92.99, 43.91], [-92.99, 43.9], [-93, 43.91], [-93, 43.9]]]}})";
+  EXPECT_EQ(refused(zones({zone(0, 0, 50, 50, R"("soil": "soft")"), bow_tie})),
+            path("zones.geojson").string() +
+                ": feature 2: its polygon crosses itself, or its rings one another");
+}
+
 TEST_F(SoilSourceFile, RefusesFilesThatAreNone) {
   SoilSource source;
   source.file = path("none.geojson");
