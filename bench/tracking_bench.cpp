@@ -44,6 +44,12 @@ void add_drive(const char* name, const Ground& ground, double rate_hz,
   add("times real time", run.duration_s / spent_s, "x", rate_hz == 240.0 ? ">= 1000" : "");
 }
 
+void add_parking(const char* name, double rate_hz, std::vector<bench::Figure>& figures) {
+  const test::ParkedVehicle parked = test::park(load_vehicle(name), 0.2, rate_hz);
+  figures.push_back({fmt::format("{}, parked on 20 %, {:.0f} Hz: drift", name, rate_hz),
+                     parked.drift_mm_per_min, "mm/min", "<= 0.1"});
+}
+
 // The same rows with what receivers and steering valves have.
 void add_imperfections(const char* name, std::vector<bench::Figure>& figures) {
   const Vehicle vehicle = load_vehicle(name);
@@ -81,6 +87,7 @@ int main(int argc, char** argv) {
     for (const Ground& ground : grounds) {
       for (const double rate_hz : kRates_hz) add_drive(name, ground, rate_hz, figures);
     }
+    for (const double rate_hz : kRates_hz) add_parking(name, rate_hz, figures);
     add_imperfections(name, figures);
   }
   bench::print(figures, bench::wants_json(argc, argv));
