@@ -14,7 +14,10 @@ namespace {
 
 // Makes the path to drive; returns what to tell of it.
 std::string prepare(const Job& job) {
-  if (job.scenario.path_file.empty()) return path_notes(plan_stage(job).path);
+  if (job.scenario.path_file.empty()) {
+    const PlanResult result = plan_stage(job);
+    return path_notes(result.path) + grid_notes(result);
+  }
   const std::optional<TrackReport> track = given_path_stage(job);
   return track ? track_summary(*track) : "";
 }

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "apps/commands.h"
+#include "planner/grid_planners.h"
 #include "planner/planners.h"
 #include "terrains/json_text.h"
 #include "terrains/soil.h"
@@ -39,6 +40,13 @@ Json planners_json() {
   for (const PlannerEntry& entry : planners()) {
     list.push_back({{"name", entry.name},
                     {"source", entry.source},
+                    {"plans_on", "field"},
+                    {"parameters", parameters_json(entry.parameters)}});
+  }
+  for (const GridPlannerEntry& entry : grid_planners()) {
+    list.push_back({{"name", entry.name},
+                    {"source", entry.source},
+                    {"plans_on", "grid map"},
                     {"parameters", parameters_json(entry.parameters)}});
   }
   return list;
@@ -102,7 +110,7 @@ std::string entry_text(const Json& entry) {
   const std::string name = entry["name"].get<std::string>();
   if (entry.contains("parameters")) {
     const char* key = entry.contains("what") ? "what" : "source";
-    return fmt::format("{:<16} {}\n", name, entry[key].get<std::string>()) +
+    return fmt::format("{:<19} {}\n", name, entry[key].get<std::string>()) +
            parameters_text(entry["parameters"]);
   }
   if (entry.contains("law")) {

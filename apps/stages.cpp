@@ -7,10 +7,12 @@
 #include "apps/interrupt.h"
 #include "evaluate/atomic_file.h"
 #include "evaluate/coverage.h"
+#include "evaluate/grid_plan_file.h"
 #include "evaluate/metrics_file.h"
 #include "evaluate/plan_file.h"
 #include "evaluate/results.h"
 #include "evaluate/run_tables.h"
+#include "planner/grid_planners.h"
 #include "planner/planners.h"
 #include "render/image.h"
 #include "render/vehicle_mesh.h"
@@ -57,6 +59,23 @@ Plan planned(const PlannerEntry& planner, const Job& job) {
   }
 }
 
+// Likewise on a grid map.
+PlanResult planned_on_grid(const Job& job) {
+  const std::string source = job.scenario.file.string();
+  const GridPlannerEntry& planner = find_grid_planner(job.scenario.planner.name, source);
+  PlanResult made;
+  try {
+    made.grid_plan = planner.plan(grid_plan_request(job.scenario, job.stage));
+  } catch (const InputError& refused) {
+    throw InputError(source, "planner: " + refused.where, refused.value, refused.allowed);
+  }
+  made.grid_drive = make_grid_path(job.stage.field, job.stage.vehicle, *job.stage.grid,
+                                   *made.grid_plan, job.scenario.path);
+  made.plan = made.grid_drive->plan;
+  made.path = made.grid_drive->path;
+  return made;
+}
+
 void remove_file(const std::filesystem::path& file) {
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
@@ -65,17 +84,25 @@ void remove_file(const std::filesystem::path& file) {
 }  // namespace
 
 PlanResult plan_stage(const Job& job) {
-  const PlannerEntry& planner = find_planner(job.scenario.planner.name, job.scenario.file.string());
   const PlanResult result = fitted(job.scenario.file, [&] {
+    if (job.stage.grid) return planned_on_grid(job);
+    const PlannerEntry& planner =
+        find_planner(job.scenario.planner.name, job.scenario.file.string());
     PlanResult made;
     made.plan = planned(planner, job);
     made.path = make_path(job.stage.field, job.stage.vehicle, made.plan, job.scenario.path);
     return made;
   });
   const GeoFrame& frame = job.stage.field.frame;
-  write_together(job.folder, {{kScenarioFile, scenario_yaml(job.scenario)},
-                              {kPlanFile, plan_geojson(result.plan, frame)},
-                              {kPathFile, path_geojson(result.path, frame)}});
+  std::vector<FileText> files = {{kScenarioFile, scenario_yaml(job.scenario)},
+                                 {kPlanFile, plan_geojson(result.plan, frame)},
+                                 {kPathFile, path_geojson(result.path, frame)}};
+  if (result.grid_plan) {
+    files.push_back(
+        {kGridPlanFile, grid_plan_json(*job.stage.grid, *result.grid_plan, *result.grid_drive)});
+  }
+  write_together(job.folder, files);
+  if (!result.grid_plan) remove_file(job.folder / kGridPlanFile);
   remove_results_from(job.folder, kRunFile);
   return result;
 }
@@ -98,6 +125,7 @@ std::optional<TrackReport> given_path_stage(const Job& job) {
   write_together(job.folder,
                  {{kScenarioFile, scenario_yaml(job.scenario)}, {kPathFile, path_text}});
   remove_file(job.folder / kPlanFile);
+  remove_file(job.folder / kGridPlanFile);
   remove_results_from(job.folder, kRunFile);
   return report;
 }
@@ -105,12 +133,18 @@ std::optional<TrackReport> given_path_stage(const Job& job) {
 void adopt_plan(const Job& job, const std::filesystem::path& from) {
   // What cannot be driven is not taken over.
   static_cast<void>(read_path(from / kPathFile, job.stage.field));
-  const bool has_plan = std::filesystem::exists(from / kPlanFile);
   std::vector<FileText> files = {{kScenarioFile, scenario_yaml(job.scenario)},
                                  {kPathFile, read_text(from / kPathFile)}};
-  if (has_plan) files.push_back({kPlanFile, read_text(from / kPlanFile)});
+  std::vector<const char*> absent;
+  for (const char* name : {kPlanFile, kGridPlanFile}) {
+    if (std::filesystem::exists(from / name)) {
+      files.push_back({name, read_text(from / name)});
+    } else {
+      absent.push_back(name);
+    }
+  }
   write_together(job.folder, files);
-  if (!has_plan) remove_file(job.folder / kPlanFile);
+  for (const char* name : absent) remove_file(job.folder / name);
   remove_results_from(job.folder, kRunFile);
 }
 

@@ -13,6 +13,7 @@
 #include "evaluate/scenario.h"
 #include "evaluate/verdict.h"
 #include "planner/drivable_path.h"
+#include "planner/grid_drivable.h"
 #include "render/pictures.h"
 #include "sim/run_record.h"
 #include "sim/simulation.h"
@@ -29,6 +30,8 @@ struct Job {
 struct PlanResult {
   Plan plan;
   Path path;
+  std::optional<GridPlan> grid_plan;  // of planners on grid maps
+  std::optional<GridDrive> grid_drive;
 };
 
 struct DriveResult {
@@ -40,7 +43,8 @@ struct DriveResult {
   nlohmann::ordered_json json;     // of metrics.json
 };
 
-// Plans the field and makes the plan drivable. Writes scenario.yaml, plan.geojson, path.geojson.
+// Plans the field and makes the plan drivable. Writes scenario.yaml, plan.geojson, path.geojson
+// and, of planners on grid maps, grid_plan.json.
 // Throws PlanInfeasible, and Interrupted after Ctrl-C: nothing is written then.
 PlanResult plan_stage(const Job& job);
 

@@ -10,6 +10,7 @@
 
 #include "apps/terminal_text.h"
 #include "evaluate/duration_text.h"
+#include "evaluate/results.h"
 #include "terrains/geo_frame.h"
 #include "vehicle_models/vehicle_figures.h"
 
@@ -19,6 +20,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kSquareMetresPerHa = 1e4;
+constexpr std::size_t kCellsTold = 8;
+
 std::string row(std::string_view label, const std::string& value, const std::string& note = "") {
   const std::string line = fmt::format("  {:<26}{:>12}   {}", label, value, note);
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
@@ -177,6 +180,19 @@ double reverse_length_m(const Path& path) {
   return sum_m;
 }
 
+// What the grid planner counts, and what driving made of it.
+std::string grid_rows(const PlanResult& result) {
+  if (!result.grid_plan) return "";
+  const GridPlan& plan = *result.grid_plan;
+  const GridDrive& drive = *result.grid_drive;
+  return row("on the grid", fmt::format("{} cells", plan.counts.distinct_cells),
+             fmt::format("{} repeats, {} turns, {} U-turns, cost {:.4g}", plan.counts.repeats,
+                         plan.counts.turns, plan.counts.u_turns, plan.cost)) +
+         row("passes", fmt::format("{}", drive.plan.passes.size()),
+             fmt::format("{} of them added, {} runs of the plan left out", drive.added_passes,
+                         drive.runs_left_out));
+}
+
 }  // namespace
 
 std::string charge_change_text(double delta_soc) {
@@ -204,9 +220,29 @@ std::string path_notes(const Path& path) {
   return text;
 }
 
+std::string grid_notes(const PlanResult& result) {
+  if (!result.grid_drive) return "";
+  const GridDrive& drive = *result.grid_drive;
+  std::string text;
+  if (drive.unworked_ratio > 0.0) {
+    text += fmt::format("  {:.2f} % of the free cells cannot be worked:\n",
+                        100.0 * drive.unworked_ratio);
+  }
+  for (std::size_t i = 0; i < drive.unworked.size(); ++i) {
+    if (i == kCellsTold) {
+      return text + fmt::format("  and {} more cells, all in {}\n", drive.unworked.size() - i,
+                                kGridPlanFile);
+    }
+    const UnworkedCell& cell = drive.unworked[i];
+    text += fmt::format("  {:.0f} % of cell [{}, {}]: {}\n", 100.0 * cell.share, cell.cell.column,
+                        cell.cell.row, cell.why);
+  }
+  return text;
+}
+
 std::string plan_summary(const Job& job, const PlanResult& result) {
   std::string text =
-      headline(job) + "\n" + row("planner", result.plan.planner) +
+      headline(job) + "\n" + row("planner", result.plan.planner) + grid_rows(result) +
       row("swath direction", fmt::format("{:.1f} deg", degrees(result.plan.swath_direction_rad)),
           "counter-clockwise from east") +
       row("headland", fmt::format("{:.2f} m", result.plan.headland_width_m)) +
@@ -218,7 +254,7 @@ std::string plan_summary(const Job& job, const PlanResult& result) {
     text += row(fmt::format("{} x {}", count, path_kind_name(kind)),
                 fmt::format("{:.0f} m", length_of_m(result.path, kind)));
   }
-  text += path_notes(result.path);
+  text += path_notes(result.path) + grid_notes(result);
   for (const PathViolation& violation : result.path.violations) {
     text += fmt::format("  does not fit at x {:.1f}, y {:.1f} m: {}\n", violation.p_W.x(),
                         violation.p_W.y(), violation.what);
@@ -235,6 +271,16 @@ Json plan_summary_json(const Job& job, const PlanResult& result) {
   json["planner"] = result.plan.planner;
   json["swath_direction_rad"] = result.plan.swath_direction_rad;
   json["headland_width_m"] = result.plan.headland_width_m;
+  if (result.grid_plan) {
+    json["grid"] = {{"repeats", result.grid_plan->counts.repeats},
+                    {"turns", result.grid_plan->counts.turns},
+                    {"u_turns", result.grid_plan->counts.u_turns},
+                    {"cost", result.grid_plan->cost},
+                    {"added_passes", result.grid_drive->added_passes},
+                    {"runs_left_out", result.grid_drive->runs_left_out},
+                    {"unworked_ratio", result.grid_drive->unworked_ratio},
+                    {"unworked_cells", result.grid_drive->unworked.size()}};
+  }
   json["path_length_m"] = length_m(result.path);
   json["reverse_length_m"] = reverse_length_m(result.path);
   for (const PathKind kind : kEveryPathKind) {

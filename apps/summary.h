@@ -26,6 +26,9 @@ nlohmann::ordered_json plan_summary_json(const Job& job, const PlanResult& resul
 // clearance asked for; empty where there is nothing to say.
 std::string path_notes(const Path& path);
 
+// Lines on the cells of a grid plan that cannot be worked; empty for other plans.
+std::string grid_notes(const PlanResult& result);
+
 // What became of another tool's track.
 std::string track_summary(const TrackReport& report);
 nlohmann::ordered_json track_json(const TrackReport& report);

@@ -47,15 +47,6 @@ void refuse_key(const YamlSection& section, std::string_view key, const std::str
   throw InputError(section.source, place_of(section, key), "", "only with " + whose);
 }
 
-std::optional<GridCell> cell_of(const std::optional<GivenCell>& given, const GridMap& map) {
-  if (!given || std::holds_alternative<FreeChoice>(*given)) return std::nullopt;
-  if (const auto* cell = std::get_if<GridCell>(&*given)) return *cell;
-  const MapCorner corner = std::get<MapCorner>(*given);
-  const bool east = corner == MapCorner::kNorthEast || corner == MapCorner::kSouthEast;
-  const bool north = corner == MapCorner::kNorthWest || corner == MapCorner::kNorthEast;
-  return GridCell{east ? map.columns - 1 : 0, north ? map.rows - 1 : 0};
-}
-
 // Gives the map its ends and refuses what no planner could plan.
 void set_ends(const YamlSection& section, const MapEnds& defaults, ComparedMap& map) {
   const auto own_start = read_corner(section, "start");
@@ -144,6 +135,26 @@ std::vector<ComparedMap> maps_of(const YamlSection& section, const fs::path& fol
 }
 
 }  // namespace
+
+std::optional<GridCell> cell_of(const std::optional<GivenCell>& given, const GridMap& map) {
+  if (!given || std::holds_alternative<FreeChoice>(*given)) return std::nullopt;
+  if (const auto* cell = std::get_if<GridCell>(&*given)) return *cell;
+  const MapCorner corner = std::get<MapCorner>(*given);
+  const bool east = corner == MapCorner::kNorthEast || corner == MapCorner::kSouthEast;
+  const bool north = corner == MapCorner::kNorthWest || corner == MapCorner::kNorthEast;
+  return GridCell{east ? map.columns - 1 : 0, north ? map.rows - 1 : 0};
+}
+
+std::string given_cell_text(const GivenCell& given) {
+  if (std::holds_alternative<FreeChoice>(given)) return "free";
+  if (const auto* cell = std::get_if<GridCell>(&given)) {
+    return fmt::format("[{}, {}]", cell->column, cell->row);
+  }
+  const MapCorner corner = std::get<MapCorner>(given);
+  const auto* found = std::find_if(kCorners.begin(), kCorners.end(),
+                                   [&](const auto& named) { return named.second == corner; });
+  return std::string(found->first);
+}
 
 std::optional<GivenCell> read_corner(const YamlSection& section, std::string_view key) {
   if (!has_key(section, key)) return std::nullopt;

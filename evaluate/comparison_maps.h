@@ -22,6 +22,12 @@ using GivenCell = std::variant<FreeChoice, MapCorner, GridCell>;
 // `free`.
 std::optional<GivenCell> read_corner(const YamlSection& section, std::string_view key);
 
+// The cell of this map; nullopt: the planner chooses.
+std::optional<GridCell> cell_of(const std::optional<GivenCell>& given, const GridMap& map);
+
+// As it is read.
+std::string given_cell_text(const GivenCell& given);
+
 // Where paths begin and end on maps that do not say it themselves; nullopt: free.
 struct MapEnds {
   std::optional<GivenCell> start;

@@ -31,10 +31,6 @@ const std::vector<std::string> kTestKeys = {"figure", "blocks", "control", "alph
 constexpr double kMostSeconds = 86400.0;
 constexpr int kNoLimit = std::numeric_limits<int>::max();
 
-struct TractorKey {
-  std::string_view key;
-  double TractorEnergy::*value;
-};
 constexpr std::array kTractorKeys{TractorKey{"mass_kg", &TractorEnergy::mass_kg},
                                   TractorKey{"friction", &TractorEnergy::friction},
                                   TractorKey{"gravity_m_s2", &TractorEnergy::gravity_m_s2},
@@ -64,19 +60,6 @@ std::size_t read_choice(const YamlSection& section, std::string_view key,
                                nearest_name(*given, words), fmt::join(words, ", ")));
 }
 
-GridStop read_stop(const YamlSection& section) {
-  refuse_unknown_keys(section, kStopKeys);
-  GridStop stop;
-  const auto count = [&](std::string_view key) { return read_count(section, key, 1, kNoLimit); };
-  const auto iterations = count("iterations");
-  stop.evaluations = count("evaluations").value_or(0);
-  stop.seconds = read_number(section, "seconds", {0.001, kMostSeconds}).value_or(0.0);
-  stop.stagnation = count("stagnation").value_or(0);
-  const bool otherwise = stop.evaluations > 0 || stop.seconds > 0.0;
-  stop.iterations = iterations.value_or(otherwise ? kNoLimit : stop.iterations);
-  return stop;
-}
-
 GridStop read_budget(const YamlSection& section, Budget& budget) {
   refuse_unknown_keys(section, kBudgetKeys);
   GridStop stop;
@@ -91,39 +74,6 @@ GridStop read_budget(const YamlSection& section, Budget& budget) {
   stop.evaluations = evaluations.value_or(0);
   stop.seconds = seconds.value_or(0.0);
   return stop;
-}
-
-GridCost read_grid_cost(const YamlSection& top) {
-  GridCost cost;
-  const auto section = read_section(top, "cost");
-  if (!section) return cost;
-  refuse_unknown_keys(*section, kCostKeys);
-  cost.objective = std::array{GridObjective::kLength, GridObjective::kWeighted,
-                              GridObjective::kTractor}[read_choice(
-      *section, "objective", {"length", "weighted", "tractor"})];
-  const auto only_of = [&](std::string_view key, GridObjective objective, const char* word) {
-    const YAML::Node node = section->node;
-    if (!node[std::string(key)].IsDefined() || cost.objective == objective) return;
-    throw InputError(top.source, place_of(*section, key), "",
-                     fmt::format("only with cost.objective: {}", word));
-  };
-  constexpr NumberRange kWeight{0.0, 1e6};
-  for (const auto& [key, weight] : {std::pair{"repeat", &cost.weights.repeat},
-                                    {"turn", &cost.weights.turn},
-                                    {"u_turn", &cost.weights.u_turn}}) {
-    only_of(key, GridObjective::kWeighted, "weighted");
-    *weight = read_number(*section, key, kWeight).value_or(*weight);
-  }
-  only_of("tractor", GridObjective::kTractor, "tractor");
-  if (const auto tractor = read_section(*section, "tractor")) {
-    refuse_unknown_keys(*tractor, tractor_keys());
-    for (const TractorKey& key : kTractorKeys) {
-      double& value = cost.tractor.*key.value;
-      value = read_number(*tractor, key.key, {0.0, 1e6}).value_or(value);
-    }
-  }
-  check_grid_cost(cost, fmt::format("{}: {}", top.source, place_of_itself(*section)));
-  return cost;
 }
 
 ComparedPlanner read_compared_planner(const YamlSection& section, const GridStop& stop,
@@ -156,7 +106,7 @@ ComparedPlanner read_compared_planner(const YamlSection& section, const GridStop
       throw InputError(section.source, place_of(section, "stop"), "",
                        "not with budget, which is the same for all");
     }
-    planner.stop = read_stop(*own_stop);
+    planner.stop = read_grid_stop(*own_stop);
   }
   return planner;
 }
@@ -180,7 +130,7 @@ void refuse_repeated(const YamlSection& top, std::string_view list, const std::s
 
 void read_planners(const YamlSection& top, Comparison& comparison) {
   GridStop stop;
-  if (const auto section = read_section(top, "stop")) stop = read_stop(*section);
+  if (const auto section = read_section(top, "stop")) stop = read_grid_stop(*section);
   if (const auto section = read_section(top, "budget")) {
     if (read_section(top, "stop")) {
       throw InputError(top.source, place_of(top, "budget"), "", "either budget or stop, not both");
@@ -238,6 +188,54 @@ void read_tests(const YamlSection& top, Comparison& comparison) {
 }
 
 }  // namespace
+
+std::span<const TractorKey> tractor_energy_keys() { return kTractorKeys; }
+
+GridStop read_grid_stop(const YamlSection& section) {
+  refuse_unknown_keys(section, kStopKeys);
+  GridStop stop;
+  const auto count = [&](std::string_view key) { return read_count(section, key, 1, kNoLimit); };
+  const auto iterations = count("iterations");
+  stop.evaluations = count("evaluations").value_or(0);
+  stop.seconds = read_number(section, "seconds", {0.001, kMostSeconds}).value_or(0.0);
+  stop.stagnation = count("stagnation").value_or(0);
+  const bool otherwise = stop.evaluations > 0 || stop.seconds > 0.0;
+  stop.iterations = iterations.value_or(otherwise ? kNoLimit : stop.iterations);
+  return stop;
+}
+
+GridCost read_grid_cost(const YamlSection& top) {
+  GridCost cost;
+  const auto section = read_section(top, "cost");
+  if (!section) return cost;
+  refuse_unknown_keys(*section, kCostKeys);
+  cost.objective = std::array{GridObjective::kLength, GridObjective::kWeighted,
+                              GridObjective::kTractor}[read_choice(
+      *section, "objective", {"length", "weighted", "tractor"})];
+  const auto only_of = [&](std::string_view key, GridObjective objective, const char* word) {
+    const YAML::Node node = section->node;
+    if (!node[std::string(key)].IsDefined() || cost.objective == objective) return;
+    throw InputError(top.source, place_of(*section, key), "",
+                     fmt::format("only with cost.objective: {}", word));
+  };
+  constexpr NumberRange kWeight{0.0, 1e6};
+  for (const auto& [key, weight] : {std::pair{"repeat", &cost.weights.repeat},
+                                    {"turn", &cost.weights.turn},
+                                    {"u_turn", &cost.weights.u_turn}}) {
+    only_of(key, GridObjective::kWeighted, "weighted");
+    *weight = read_number(*section, key, kWeight).value_or(*weight);
+  }
+  only_of("tractor", GridObjective::kTractor, "tractor");
+  if (const auto tractor = read_section(*section, "tractor")) {
+    refuse_unknown_keys(*tractor, tractor_keys());
+    for (const TractorKey& key : kTractorKeys) {
+      double& value = cost.tractor.*key.value;
+      value = read_number(*tractor, key.key, {0.0, 1e6}).value_or(value);
+    }
+  }
+  check_grid_cost(cost, fmt::format("{}: {}", top.source, place_of_itself(*section)));
+  return cost;
+}
 
 Comparison read_comparison(const fs::path& file, std::optional<std::uint64_t> seed) {
   const YamlSection top = read_yaml(file);

@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "evaluate/comparison.h"
+#include "evaluate/yaml_section.h"
 
 namespace headland {
 
@@ -20,6 +22,17 @@ namespace headland {
 // `seed` replaces the file's.
 Comparison read_comparison(const std::filesystem::path& file,
                            std::optional<std::uint64_t> seed = std::nullopt);
+
+// The quantities of the tractor's energy under their keys.
+struct TractorKey {
+  std::string_view key;
+  double TractorEnergy::*value;
+};
+std::span<const TractorKey> tractor_energy_keys();
+
+// The keys of a section `stop`, and of the section `cost` of another one. Throw as read_comparison.
+GridStop read_grid_stop(const YamlSection& section);
+GridCost read_grid_cost(const YamlSection& top);
 
 // Every key path, sections included, but for the parameters of planners.
 std::vector<std::string> comparison_key_paths();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "evaluate/scenario_grid.h"
 #include "evaluate/verdict.h"
 #include "planner/drivable_path.h"
 #include "planner/plan.h"
@@ -20,7 +21,8 @@ namespace headland {
 
 struct PlannerChoice {
   std::string name = "boustrophedon";
-  Parameters parameters;  // resolved
+  Parameters parameters;             // resolved
+  std::optional<GridPlanning> grid;  // of planners on grid maps alone
 };
 
 struct Scenario {
@@ -58,13 +60,20 @@ struct Stage {
   Heightfield terrain;
   SoilMap soil;
   Vehicle vehicle;                 // with the scenario's working width
+  std::optional<GridMap> grid;     // of planners on grid maps alone, with the terrain's heights
   std::vector<std::string> notes;  // for people: where a default stands in for data
 };
 
-// Throws InputError as read_field, read_terrain, read_soil and load_vehicle do.
+// Of planners on grid maps the field's map is read, or made of cells as wide as the working width;
+// what of the field is no free cell is not to be worked then. Throws InputError as read_field,
+// read_terrain, read_soil, load_vehicle, grid_of_field and grid_graph do, and for a start or end
+// that is no free cell.
 Stage load_stage(const Scenario& scenario);
 
 // What the scenario asks of its planner. The stage must outlive the request.
 PlanRequest plan_request(const Scenario& scenario, const Stage& stage);
+
+// The same of a planner on grid maps.
+GridPlanRequest grid_plan_request(const Scenario& scenario, const Stage& stage);
 
 }  // namespace headland

@@ -8,7 +8,10 @@
 #include "evaluate/scenario_soil.h"
 #include "evaluate/yaml_parameters.h"
 #include "evaluate/yaml_section.h"
+#include "planner/grid_drivable.h"
+#include "planner/grid_planners.h"
 #include "planner/planners.h"
+#include "terrains/grid_field.h"
 #include "terrains/input_error.h"
 #include "terrains/input_file.h"
 #include "vehicle_models/vehicle_loader.h"
@@ -86,6 +89,28 @@ ObstacleSource read_obstacle(const YamlSection& section) {
   return obstacle;
 }
 
+// All of a grid map's field but its entry is in the map.
+void refuse_beside_grid_map(const YamlSection& section, const FieldSource& field) {
+  const YAML::Node mapping = section.node;
+  for (const std::string_view key : {"file", "boundary", "layer", "crs", "holes", "obstacles"}) {
+    const bool given = mapping[std::string(key)].IsDefined();
+    if (!given || (key == "obstacles" && field.obstacles.empty())) continue;
+    throw InputError(section.source, place_of(section, key), "",
+                     "not with field.grid_map: blocked cells are what is in the way");
+  }
+}
+
+// What a grid map's numbers are by default follows from vehicle, path and planner.
+void read_grid_map_numbers(const YamlSection& top, const Vehicle& vehicle, Scenario& scenario) {
+  if (scenario.field.grid_map.empty()) return;
+  const YamlSection section = read_section(top, "field").value();
+  scenario.field.cell_m = read_number(section, "cell_m", {kMinGridCell_m, kMaxGridCell_m})
+                              .value_or(scenario.working_width_m);
+  const double margin_m = scenario.planner.grid ? grid_margin_m(vehicle, scenario.path) : 0.0;
+  scenario.field.margin_m =
+      read_number(section, "margin_m", {0.0, kMaxGridMargin_m}).value_or(margin_m);
+}
+
 FieldSource read_field_source(const YamlSection& top, const fs::path& folder) {
   const auto section = read_section(top, "field");
   if (!section) {
@@ -105,9 +130,18 @@ FieldSource read_field_source(const YamlSection& top, const fs::path& folder) {
     field.obstacles.push_back(read_obstacle(obstacle));
   }
   const bool inline_boundary = static_cast<bool>(read_points(*section, "boundary"));
+  field.grid_map = read_file_name(*section, "grid_map", folder);
+  if (!field.grid_map.empty()) {
+    refuse_beside_grid_map(*section, field);
+    return field;
+  }
+  for (const std::string_view key : {"cell_m", "margin_m"}) {
+    if (!read_word(*section, key)) continue;
+    throw InputError(top.source, place_of(*section, key), "", "only with field.grid_map");
+  }
   if (field.file.empty() != inline_boundary) {
     throw InputError(top.source, place_of(*section, inline_boundary ? "boundary" : "file"), "",
-                     "either field.file or field.boundary is needed, and not both");
+                     "one of field.file, field.boundary and field.grid_map is needed, and no two");
   }
   if (!field.file.empty() && !field.holes.empty()) {
     throw InputError(top.source, place_of(*section, "holes"), "",
@@ -187,16 +221,34 @@ PlannerChoice read_planner(const YamlSection& top) {
   const YamlSection section =
       read_section(top, "planner")
           .value_or(YamlSection{top.source, "planner", YAML::Node(YAML::NodeType::Map)});
-  const auto name = read_word(section, "name");
-  const std::string place = place_of(section, "name");
-  const PlannerEntry& entry = find_planner(name.value_or(choice.name),
-                                           top.source + ": " + place.substr(0, place.find(':')));
-  choice.name = entry.name;
+  choice.name = read_word(section, "name").value_or(choice.name);
+  std::vector<std::string> names;
+  std::span<const ParameterSpec> parameters;
+  for (const PlannerEntry& entry : planners()) {
+    names.emplace_back(entry.name);
+    if (entry.name == choice.name) parameters = entry.parameters;
+  }
+  for (const GridPlannerEntry& entry : grid_planners()) {
+    names.emplace_back(entry.name);
+    if (entry.name != choice.name) continue;
+    parameters = entry.parameters;
+    choice.grid.emplace();
+  }
+  if (std::find(names.begin(), names.end(), choice.name) == names.end()) {
+    throw InputError(top.source, place_of(section, "name"), choice.name,
+                     fmt::format("unknown planner; the nearest is {} (known: {})",
+                                 nearest_name(choice.name, names), fmt::join(names, ", ")));
+  }
   std::vector<std::string> known = keys_in_section("planner");
-  const std::vector<std::string> own = parameter_names(entry.parameters);
+  const std::vector<std::string> own = parameter_names(parameters);
   known.insert(known.end(), own.begin(), own.end());
   refuse_unknown_keys(section, known);
-  choice.parameters = read_parameters(section, entry.parameters);
+  choice.parameters = read_parameters(section, parameters);
+  if (choice.grid) {
+    choice.grid = read_grid_planning(section);
+  } else {
+    refuse_grid_planning(section);
+  }
   return choice;
 }
 
@@ -257,7 +309,8 @@ Scenario read_scenario(const fs::path& file, std::optional<std::uint64_t> seed) 
   if (seed) scenario.seed = scenario.terrain.seed = *seed;
   scenario.soil = read_soil_source(top, folder);
   scenario.vehicle = read_vehicle(top, folder);
-  scenario.working_width_m = load_vehicle(scenario.vehicle).implement.working_width_m;
+  const Vehicle vehicle = load_vehicle(scenario.vehicle);
+  scenario.working_width_m = vehicle.implement.working_width_m;
   numbers_section(top, "implement", scenario);
   scenario.planner = read_planner(top);
   if (const auto path = numbers_section(top, "path", scenario)) {
@@ -268,6 +321,7 @@ Scenario read_scenario(const fs::path& file, std::optional<std::uint64_t> seed) 
       scenario.path_file = (folder / *name).lexically_normal();
     }
   }
+  read_grid_map_numbers(top, vehicle, scenario);
   if (const auto simulation = numbers_section(top, "simulation", scenario)) {
     if (scenario.simulation.record_hz > scenario.simulation.rate_hz) {
       throw InputError(

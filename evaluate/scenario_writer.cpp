@@ -55,7 +55,11 @@ void emit_field(YAML::Emitter& out, const FieldSource& field) {
   if (!field.file.empty()) emit(out, "file", field.file.string());
   if (!field.layer.empty()) emit(out, "layer", field.layer);
   if (!field.crs.empty()) emit(out, "crs", field.crs);
-  if (field.file.empty()) {
+  if (!field.grid_map.empty()) {
+    emit(out, "grid_map", field.grid_map.string());
+    emit(out, "cell_m", shown(field.cell_m));
+    emit(out, "margin_m", shown(field.margin_m));
+  } else if (field.file.empty()) {
     out << YAML::Key << "boundary" << YAML::Value;
     emit(out, field.boundary);
     out << YAML::Key << "holes" << YAML::Value << YAML::BeginSeq;
@@ -135,6 +139,7 @@ std::string scenario_yaml(const Scenario& given) {
     begin_section(out, "planner");
     emit(out, "name", scenario.planner.name);
     emit_parameters(out, scenario.planner.parameters);
+    if (scenario.planner.grid) emit_grid_planning(out, *scenario.planner.grid);
     out << YAML::EndMap;
   }
   begin_section(out, "path");

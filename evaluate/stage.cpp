@@ -1,13 +1,43 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "evaluate/scenario.h"
+#include "terrains/grid_map_file.h"
 #include "terrains/input_error.h"
 #include "vehicle_models/vehicle_check.h"
 #include "vehicle_models/vehicle_loader.h"
 
 namespace headland {
+namespace {
+
+// A start or end that no planner could keep is refused where it stands.
+void check_grid_ends(const Scenario& scenario, const GridMap& map) {
+  const std::string source = scenario.file.string();
+  const GridPlanning& planning = *scenario.planner.grid;
+  const GridGraph graph =
+      grid_graph(map, scenario.field.grid_map.empty() ? source : scenario.field.grid_map.string());
+  for (const auto& [given, where] :
+       {std::pair{planning.start, "planner.start"}, std::pair{planning.end, "planner.end"}}) {
+    if (const auto cell = cell_of(given, map)) node_at(map, graph, *cell, source, where);
+  }
+}
+
+void load_grid(const Scenario& scenario, Stage& stage) {
+  const FieldSource& field = scenario.field;
+  stage.grid = field.grid_map.empty() ? take_grid_of(stage.field, scenario.working_width_m,
+                                                     scenario.planner.grid->direction_deg,
+                                                     scenario.file.string(), stage.notes)
+                                      : read_grid_map(field.grid_map, field.cell_m);
+  if (std::abs(stage.grid->cell_m - scenario.working_width_m) > kSamePlace_m) {
+    stage.notes.push_back(fmt::format("grid: cells of {:g} m are worked {:g} m wide",
+                                      stage.grid->cell_m, scenario.working_width_m));
+  }
+  check_grid_ends(scenario, *stage.grid);
+}
+
+}  // namespace
 
 Stage load_stage(const Scenario& scenario) {
   const std::string source = scenario.file.string();
@@ -15,7 +45,9 @@ Stage load_stage(const Scenario& scenario) {
   stage.field = read_field(scenario.field, source);
   // Not after a file: the scenario's has another name among the results.
   stage.field.name = scenario.name;
+  if (scenario.planner.grid) load_grid(scenario, stage);
   stage.terrain = read_terrain(scenario.terrain, stage.field, source);
+  if (stage.grid) set_heights(*stage.grid, stage.terrain);
   SoilReading soil = read_soil(scenario.soil, stage.field, source);
   stage.soil = std::move(soil.map);
   if (soil.default_ratio > 0.0) {
@@ -48,6 +80,20 @@ PlanRequest plan_request(const Scenario& scenario, const Stage& stage) {
   request.vehicle_rear_m = std::max(vehicle.body.rear_overhang_m, -vehicle.implement.x_B_m);
   request.forward_only = vehicle.implement.trailing.has_value();
   request.clearance_m = scenario.path.clearance_m;
+  request.parameters = scenario.planner.parameters;
+  request.seed = scenario.seed;
+  return request;
+}
+
+GridPlanRequest grid_plan_request(const Scenario& scenario, const Stage& stage) {
+  const GridPlanning& planning = *scenario.planner.grid;
+  GridPlanRequest request;
+  request.map = *stage.grid;
+  request.start = cell_of(planning.start, *stage.grid);
+  request.end = cell_of(planning.end, *stage.grid);
+  request.closed = planning.closed;
+  request.cost = planning.cost;
+  request.stop = planning.stop;
   request.parameters = scenario.planner.parameters;
   request.seed = scenario.seed;
   return request;

@@ -17,6 +17,8 @@
 namespace headland {
 namespace {
 
+constexpr double kMarginStep_m = 0.1;
+
 // Why a cell is not worked, whatever comes later.
 enum class Hindrance { kNone, kLane, kRoom, kTurn, kNoTurn };
 
@@ -149,7 +151,8 @@ double grid_margin_m(const Vehicle& vehicle, const PathOptions& options) {
   const double half_width_m = std::max(hull.half_width_m, hull.bar_half_width_m);
   const double swing_m =
       std::hypot(planning_turning_radius_m(vehicle) + half_width_m, hull.front_m);
-  return swing_m + std::max(0.0, -vehicle.implement.x_B_m) + options.clearance_m;
+  const double least_m = swing_m + std::max(0.0, -vehicle.implement.x_B_m) + options.clearance_m;
+  return std::ceil(least_m / kMarginStep_m) * kMarginStep_m;
 }
 
 }  // namespace headland

@@ -8,6 +8,8 @@
 #include <cmath>
 
 #include "terrains/gdal_scope.h"
+#include "terrains/grid_field.h"
+#include "terrains/grid_map_file.h"
 #include "terrains/input_error.h"
 #include "terrains/obstacle_features.h"
 #include "terrains/vector_file.h"
@@ -153,9 +155,19 @@ void require_finite_point(const Eigen::Vector2d& point, const std::string& sourc
   }
 }
 
+Field read_grid_field(const FieldSource& given, const std::string& source) {
+  Field field = field_of_grid(read_grid_map(given.grid_map, given.cell_m), given.margin_m, source);
+  field.name = given.grid_map.stem().string();
+  field.entry_W = given.entry;
+  check_field(field, given.grid_map.string());
+  check_entry(field, source, given.entry_place);
+  return field;
+}
+
 }  // namespace
 
 Field read_field(const FieldSource& given, const std::string& source) {
+  if (!given.grid_map.empty()) return read_grid_field(given, source);
   const bool from_file = !given.file.empty();
   const std::string geometry_source = from_file ? given.file.string() : source;
   const GdalScope gdal;

@@ -1,4 +1,4 @@
-// Where a field comes from: a vector file or coordinates in the scenario.
+// Where a field comes from: a vector file, coordinates in the scenario, or a grid map.
 #pragma once
 
 #include <filesystem>
@@ -27,7 +27,12 @@ ObstacleSource default_obstacle(ObstacleKind kind);
 // file means the file's own CRS (GeoJSON: WGS 84, RFC 7946). A crs given with a file overrules it.
 struct FieldSource {
   std::filesystem::path file;  // empty: inline coordinates
-  std::string layer;           // empty: the only or first layer with polygons
+  // A grid map's picture (read_grid_map) instead of a file or coordinates, and see field_of_grid;
+  // such a field has no place on the earth, and its entry is in metres.
+  std::filesystem::path grid_map;
+  double cell_m = 1.0;
+  double margin_m = 0.0;
+  std::string layer;  // empty: the only or first layer with polygons
   std::string crs;
   Ring boundary;
   std::vector<Ring> holes;

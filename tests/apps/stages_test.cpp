@@ -50,6 +50,27 @@ TEST_F(StagesTest, SameSeedSameBytesAndStagesGiveTheBytesOfTheWhole) {
   EXPECT_EQ(files_in("C"), files_in("A"));
 }
 
+TEST_F(StagesTest, GridPlannersAreDrivenLikeAnyOther) {
+  write("map.txt", "......\n......\n..##..\n......\n");
+  write("grid.yaml",
+        "field: {grid_map: map.txt}\nvehicle: transplanter\ncoverage: {cell_m: 0.25}\n"
+        "planner: {name: grid_tplp, stop: {iterations: 20}}\n");
+  ASSERT_LE(headland("evaluate grid.yaml --size 640x400 -o A -q").exit_code, 1);
+  const auto metrics = nlohmann::json::parse(text_of(folder_ / "A" / "metrics.json"));
+  EXPECT_EQ(metrics["outcome"]["name"], "finished");
+  EXPECT_GT(metrics["figures"]["coverage_ratio"].get<double>(), 0.95);
+  const CommandResult plan = headland("plan grid.yaml -o B");
+  EXPECT_EQ(plan.exit_code, 0) << plan.err;
+  EXPECT_THAT(plan.out, HasSubstr("22 cells"));
+  EXPECT_EQ(text_of(folder_ / "A" / "grid_plan.json"), text_of(folder_ / "B" / "grid_plan.json"));
+  EXPECT_EQ(text_of(folder_ / "A" / "path.geojson"), text_of(folder_ / "B" / "path.geojson"));
+  EXPECT_LE(headland("drive B -o C -q").exit_code, 1);
+  EXPECT_EQ(text_of(folder_ / "A" / "run.csv"), text_of(folder_ / "C" / "run.csv"));
+  // Another plan in the same folder leaves nothing of the grid's.
+  EXPECT_EQ(headland("plan tiny.yaml -o B -q").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "B" / "grid_plan.json"));
+}
+
 TEST_F(StagesTest, AFailingVerdictExitsWith1) {
   write("tiny.yaml", kTinyScenario + "verdict: {reserve_soc_min: {warn: 1, fail: 1}}\n");
   const CommandResult result = headland(kEvaluateTiny + "DIR");

@@ -174,7 +174,7 @@ TEST_F(ScenarioTest, EveryKeyStandsInTheDocumentation) {
 }
 
 TEST_F(ScenarioTest, TheExamplesAreRead) {
-  for (const char* name : {"demo.yaml", "real_field.yaml"}) {
+  for (const char* name : {"demo.yaml", "real_field.yaml", "field_b.yaml"}) {
     const auto file = std::filesystem::path(HEADLAND_SOURCE_DIR) / "examples" / name;
     EXPECT_NO_THROW(read_scenario(file)) << name;
   }
@@ -273,7 +273,7 @@ TEST_F(ScenarioTest, RefusesMissingKeys) {
   EXPECT_THAT(refusal("vehicle: transplanter\n"),
               HasSubstr("field.yaml: field: the section is missing: a file or a boundary"));
   EXPECT_THAT(refusal("field: {layer: a}\nvehicle: transplanter\n"),
-              HasSubstr("either field.file"));
+              HasSubstr("one of field.file"));
   EXPECT_THAT(refusal("field:\n  boundary: [[0, 0], [1, 0], [0, 1]]\n  obstacles: [{kind: tree}]\n"
                       "vehicle: transplanter\n"),
               AllOf(HasSubstr("line 3: field.obstacles.at"), HasSubstr("missing")));

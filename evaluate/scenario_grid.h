@@ -1,0 +1,38 @@
+// What a scenario says to planners on grid maps.
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <optional>
+#include <string>
+
+#include "evaluate/comparison_maps.h"
+#include "evaluate/yaml_section.h"
+#include "planner/grid_plan.h"
+#include "terrains/field.h"
+
+namespace headland {
+
+struct GridPlanning {
+  GivenCell start = FreeChoice{};
+  GivenCell end = FreeChoice{};
+  bool closed = false;
+  double direction_deg = 0.0;  // of rows on a field, see grid_of_field
+  GridCost cost;
+  GridStop stop;
+};
+
+// Of the section `planner`. Throws InputError with line and key path.
+GridPlanning read_grid_planning(const YamlSection& section);
+
+// Throws InputError when the section has one of those keys.
+void refuse_grid_planning(const YamlSection& section);
+
+void emit_grid_planning(YAML::Emitter& out, const GridPlanning& planning);
+
+// The cells of a field, each cell_m wide; free cells become what is to be worked of it. Notes tell
+// of pockets that cannot be reached and of the ground left out.
+GridMap take_grid_of(Field& field, double cell_m, double direction_deg, const std::string& source,
+                     std::vector<std::string>& notes);
+
+}  // namespace headland
