@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "apps/commands.h"
+#include "apps/compare_pictures.h"
 #include "apps/compare_summary.h"
 #include "apps/interrupt.h"
 #include "apps/progress.h"
@@ -13,6 +14,7 @@
 #include "evaluate/atomic_file.h"
 #include "evaluate/comparison_file.h"
 #include "evaluate/comparison_reader.h"
+#include "render/gnuplot.h"
 #include "terrains/input_error.h"
 #include "terrains/json_text.h"
 
@@ -52,16 +54,19 @@ int compare(const CompareCommand& command) {
   }
   check_output_folder(command.folder);
   Comparison comparison = read_comparison(command.spec, command.seed);
+  require_gnuplot();
   const std::vector<ComparedRun> runs = run_with_progress(comparison, command);
   const ComparisonRanks ranks = rank_planners(comparison, runs);
   const nlohmann::ordered_json json = comparison_json(comparison, runs, ranks, HEADLAND_VERSION);
   write_together(command.folder, {{kJsonFile, json_text(json, 1) + "\n"},
                                   {kRunsFile, comparison_runs_csv(comparison, runs)},
                                   {kTableFile, comparison_table_csv(comparison, runs)}});
+  remove_comparison_pictures(command.folder);
+  if (!interrupted()) write_together(command.folder, comparison_pictures(comparison, runs));
   if (command.json) {
     fmt::print("{}\n", json_text(json, 1));
   } else if (!command.quiet) {
-    fmt::print("{}\ntables are in {}\n", comparison_summary(comparison, runs, ranks),
+    fmt::print("{}\ntables and pictures are in {}\n", comparison_summary(comparison, runs, ranks),
                terminal_text(command.folder));
   }
   stop_if_interrupted();
@@ -84,7 +89,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   command->add_flag("--quiet,-q", given->quiet, "No progress and no summary");
   command->footer(
       "Example:\n  headland compare examples/compare.yaml -o out/compare\n\n"
-      "Writes compare.json, runs.csv and table.csv.\n"
+      "Writes compare.json, runs.csv, table.csv, and for each map plans_MAP.png,\n"
+      "convergence_MAP.svg and plan_MAP_PLANNER.png.\n"
       "Exits with 0, 2 for bad input, 130 after Ctrl-C (finished runs are kept).");
   command->callback([given, &exit_code] { exit_code = compare(*given); });
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "evaluate/duration_text.h"
+#include "render/text_lines.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -17,21 +18,6 @@ constexpr double kTitleHeight = 116.0;  // units
 constexpr int kBody = 15;               // text size, units
 constexpr double kLine = 23.0;          // units from line to line
 constexpr double kSwatchWidth = 26.0;   // units
-
-// Text that ends in an ellipsis where it would be wider than the room it has.
-std::string fitted(Typeface& typeface, std::string_view text, TextStyle style, double width_px) {
-  std::string out(text);
-  if (text_width_px(typeface, out, style) <= width_px) return out;
-  constexpr unsigned kContinuation = 0x80U;
-  while (!out.empty() && text_width_px(typeface, out + "…", style) > width_px) {
-    // A letter of several bytes goes as a whole.
-    while (!out.empty() && (static_cast<unsigned char>(out.back()) & 0xC0U) == kContinuation) {
-      out.pop_back();
-    }
-    if (!out.empty()) out.pop_back();
-  }
-  return out + "…";
-}
 
 // The grade in a box at the page's upper right corner, and why in a line of its own.
 void write_verdict(Sheet& sheet, Typeface& typeface, const Page& page, const Verdict& verdict) {
@@ -51,8 +37,8 @@ void write_verdict(Sheet& sheet, Typeface& typeface, const Page& page, const Ver
       why += fmt::format("  (and {} more)", verdict.reasons.size() - 1);
   }
   const double room = page.column.right() - page.main.x;
-  write_text(sheet, typeface, {page.main.x, page.px(100)}, fitted(typeface, why, body, room), body,
-             grade_colour(verdict.grade));
+  write_text(sheet, typeface, {page.main.x, page.px(100)}, fitted_text(typeface, why, body, room),
+             body, grade_colour(verdict.grade));
 }
 
 }  // namespace
@@ -97,7 +83,7 @@ void write_title(Sheet& sheet, Typeface& typeface, const Page& page, const Pictu
   const double room = page.column.right() - x;
   const TextStyle big = page.text(28, true);
   const TextStyle plain = page.text(28);
-  const std::string name = fitted(
+  const std::string name = fitted_text(
       typeface, scene.field.name.empty() ? "Unnamed field" : scene.field.name, big, 0.6 * room);
   const double y = page.px(50);
   write_text(sheet, typeface, {x, y}, name, big, colours::kInk);
@@ -118,7 +104,7 @@ void write_title(Sheet& sheet, Typeface& typeface, const Page& page, const Pictu
                         duration_text(run.duration_s), outcome_name(run.outcome));
   }
   const TextStyle body = page.text(kBody);
-  write_text(sheet, typeface, {x, page.px(76)}, fitted(typeface, line, body, room), body,
+  write_text(sheet, typeface, {x, page.px(76)}, fitted_text(typeface, line, body, room), body,
              colours::kInkSoft);
   if (scene.verdict != nullptr) write_verdict(sheet, typeface, page, *scene.verdict);
 }
@@ -137,26 +123,12 @@ void legend_heading(Legend& legend, std::string_view text) {
 void legend_note(Legend& legend, std::string_view text) {
   const Page& page = legend.page;
   const TextStyle style = page.text(13);
-  std::string line;
-  const auto flush = [&] {
+  for (const std::string& line :
+       lines_within(legend.typeface, text, style, legend.page.column.width)) {
     legend.y_px += page.px(19);
     write_text(legend.sheet, legend.typeface, {page.column.x, legend.y_px - page.px(4)}, line,
                style, colours::kInkSoft);
-    line.clear();
-  };
-  while (!text.empty()) {
-    const std::size_t space = text.find(' ');
-    const std::string_view word = text.substr(0, space);
-    text.remove_prefix(space == std::string_view::npos ? text.size() : space + 1);
-    const std::string longer = line.empty() ? std::string(word) : line + " " + std::string(word);
-    if (!line.empty() && text_width_px(legend.typeface, longer, style) > legend.page.column.width) {
-      flush();
-      line = word;
-    } else {
-      line = longer;
-    }
   }
-  if (!line.empty()) flush();
 }
 
 Eigen::Vector2d legend_symbol(Legend& legend, std::string_view label, std::string_view figure) {
@@ -172,7 +144,7 @@ Eigen::Vector2d legend_symbol(Legend& legend, std::string_view label, std::strin
     room -= text_width_px(legend.typeface, figure, style) + page.px(8);
   }
   write_text(legend.sheet, legend.typeface, {label_x, base},
-             fitted(legend.typeface, label, style, room), style, colours::kInk);
+             fitted_text(legend.typeface, label, style, room), style, colours::kInk);
   return {page.column.x + page.px(0.5 * kSwatchWidth), base - page.px(5)};
 }
 

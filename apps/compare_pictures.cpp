@@ -1,0 +1,115 @@
+#include "apps/compare_pictures.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+#include <system_error>
+
+#include "apps/interrupt.h"
+#include "evaluate/comparison_figures.h"
+#include "evaluate/comparison_reader.h"
+#include "render/convergence_chart.h"
+#include "render/gnuplot.h"
+#include "render/grid_picture.h"
+
+namespace headland {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PictureName {
+  std::string_view prefix;
+  std::string_view ending;
+};
+constexpr PictureName kChart{"convergence_", ".svg"};
+constexpr PictureName kSheet{"plans_", ".png"};
+constexpr PictureName kPlan{"plan_", ".png"};
+
+std::string file_name(const PictureName& kind, const std::string& name) {
+  return fmt::format("{}{}{}", kind.prefix, name_in_files(name), kind.ending);
+}
+
+std::string counted(int count, const char* one, const char* more) {
+  return fmt::format("{} {}", count, count == 1 ? one : more);
+}
+
+GridFigure figure_of(const std::string& label, const std::vector<const ComparedRun*>& runs) {
+  GridFigure figure;
+  figure.title = label;
+  const RunCounts counts = run_counts(runs);
+  const ComparedRun* best = best_run(runs);
+  if (best == nullptr) {
+    figure.lines = {counts.refused > 0 ? "refused: " + counts.refusal : "not run"};
+    return figure;
+  }
+  const GridPlan& plan = best->plan;
+  figure.path = plan.cells;
+  figure.lines = {fmt::format("cost {:.4g}, length {} ({:.2f} % repeated)", plan.cost,
+                              plan.counts.steps, 100.0 * repeat_rate(plan)),
+                  fmt::format("{}, {}", counted(plan.counts.turns, "turn", "turns"),
+                              counted(plan.counts.u_turns, "U-turn", "U-turns"))};
+  if (counts.planned > 1) figure.lines.back() += fmt::format("; best of {} plans", counts.planned);
+  if (plan.jumps > 0) {
+    figure.lines.push_back(counted(plan.jumps, "jump", "jumps") + ": nothing can drive this plan");
+  }
+  return figure;
+}
+
+ConvergenceLine line_of(const std::string& label, const std::vector<const ComparedRun*>& runs) {
+  ConvergenceLine line;
+  line.label = label;
+  for (const ComparedRun* run : runs) {
+    if (run->state != RunState::kPlanned) continue;
+    line.runs.push_back(run->plan.convergence);
+    line.iterations.push_back(run->plan.iterations);
+    line.evaluations.push_back(run->plan.evaluations);
+  }
+  if (run_counts(runs).with_jumps > 0) line.label += " (jumps)";
+  return line;
+}
+
+}  // namespace
+
+std::vector<FileText> comparison_pictures(const Comparison& comparison,
+                                          const std::vector<ComparedRun>& runs) {
+  const InterruptAtOnce at_once;
+  std::vector<FileText> files;
+  for (std::size_t m = 0; m < comparison.maps.size(); ++m) {
+    const ComparedMap& map = comparison.maps[m];
+    std::vector<GridFigure> figures;
+    std::vector<ConvergenceLine> lines;
+    for (std::size_t p = 0; p < comparison.planners.size(); ++p) {
+      const std::string& label = comparison.planners[p].label;
+      const auto own = runs_of(runs, static_cast<int>(m), static_cast<int>(p));
+      figures.push_back(figure_of(label, own));
+      lines.push_back(line_of(label, own));
+      GridFigure alone = figures.back();
+      alone.title = fmt::format("{}: {}", map.name, label);
+      files.push_back(
+          {file_name(kPlan, map.name + "_" + label), png_of(draw_grid_plan(map.map, alone))});
+    }
+    files.push_back(
+        {file_name(kSheet, map.name), png_of(draw_grid_sheet(map.map, map.name, figures))});
+    files.push_back({file_name(kChart, map.name),
+                     chart_of(convergence_chart_script(map.name, lines), ChartFormat::kSvg,
+                              kConvergenceChartWidth_px, kConvergenceChartHeight_px)});
+  }
+  return files;
+}
+
+void remove_comparison_pictures(const fs::path& folder) {
+  std::error_code ignored;
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    for (const PictureName& kind : {kChart, kSheet, kPlan}) {
+      if (name.starts_with(kind.prefix) && name.ends_with(kind.ending)) {
+        found.push_back(entry.path());
+      }
+    }
+  }
+  for (const fs::path& file : found) fs::remove(file, ignored);
+}
+
+}  // namespace headland

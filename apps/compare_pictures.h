@@ -1,0 +1,23 @@
+// The pictures of a comparison.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "evaluate/atomic_file.h"
+#include "evaluate/comparison.h"
+
+namespace headland {
+
+// For each map the convergence chart (convergence_MAP.svg) and the planners' best plans side by
+// side (plans_MAP.png); for each map and planner its best plan (plan_MAP_LABEL.png). Throws
+// InputError when gnuplot or the fonts are missing.
+std::vector<FileText> comparison_pictures(const Comparison& comparison,
+                                          const std::vector<ComparedRun>& runs);
+
+// Removes the pictures that an earlier comparison left in `folder`: it may have had other maps and
+// planners.
+void remove_comparison_pictures(const std::filesystem::path& folder);
+
+}  // namespace headland
