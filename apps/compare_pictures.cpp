@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <string_view>
 #include <system_error>
 
@@ -23,6 +23,7 @@ struct PictureName {
   std::string_view ending;
 };
 constexpr PictureName kChart{"convergence_", ".svg"};
+constexpr PictureName kChartImage{"convergence_", ".png"};
 constexpr PictureName kSheet{"plans_", ".png"};
 constexpr PictureName kPlan{"plan_", ".png"};
 
@@ -45,14 +46,15 @@ GridFigure figure_of(const std::string& label, const std::vector<const ComparedR
   }
   const GridPlan& plan = best->plan;
   figure.path = plan.cells;
-  figure.lines = {fmt::format("cost {:.4g}, length {} ({:.2f} % repeated)", plan.cost,
-                              plan.counts.steps, 100.0 * repeat_rate(plan)),
-                  fmt::format("{}, {}", counted(plan.counts.turns, "turn", "turns"),
-                              counted(plan.counts.u_turns, "U-turn", "U-turns"))};
-  if (counts.planned > 1) figure.lines.back() += fmt::format("; best of {} plans", counts.planned);
   if (plan.jumps > 0) {
-    figure.lines.push_back(counted(plan.jumps, "jump", "jumps") + ": nothing can drive this plan");
+    figure.lines.push_back(counted(plan.jumps, "jump", "jumps") +
+                           ", which nothing can drive; without them:");
   }
+  figure.lines.push_back(fmt::format("cost {:.4g}, length {} ({:.2f} % repeated)", plan.cost,
+                                     plan.counts.steps - plan.jumps, 100.0 * repeat_rate(plan)));
+  figure.lines.push_back(fmt::format("{}, {}", counted(plan.counts.turns, "turn", "turns"),
+                                     counted(plan.counts.u_turns, "U-turn", "U-turns")));
+  if (counts.planned > 1) figure.lines.back() += fmt::format("; best of {} plans", counts.planned);
   return figure;
 }
 
@@ -91,9 +93,16 @@ std::vector<FileText> comparison_pictures(const Comparison& comparison,
     }
     files.push_back(
         {file_name(kSheet, map.name), png_of(draw_grid_sheet(map.map, map.name, figures))});
-    files.push_back({file_name(kChart, map.name),
-                     chart_of(convergence_chart_script(map.name, lines), ChartFormat::kSvg,
-                              kConvergenceChartWidth_px, kConvergenceChartHeight_px)});
+    const bool planned = std::any_of(
+        lines.begin(), lines.end(), [](const ConvergenceLine& line) { return !line.runs.empty(); });
+    if (!planned) continue;
+    const std::string script = convergence_chart_script(map.name, lines);
+    files.push_back(
+        {file_name(kChart, map.name), chart_of(script, ChartFormat::kSvg, kConvergenceChartWidth_px,
+                                               kConvergenceChartHeight_px)});
+    files.push_back({file_name(kChartImage, map.name),
+                     chart_of(script, ChartFormat::kPng, kConvergenceChartWidth_px,
+                              kConvergenceChartHeight_px)});
   }
   return files;
 }
@@ -103,7 +112,7 @@ void remove_comparison_pictures(const fs::path& folder) {
   std::vector<fs::path> found;
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
-    for (const PictureName& kind : {kChart, kSheet, kPlan}) {
+    for (const PictureName& kind : {kChart, kChartImage, kSheet, kPlan}) {
       if (name.starts_with(kind.prefix) && name.ends_with(kind.ending)) {
         found.push_back(entry.path());
       }

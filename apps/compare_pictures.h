@@ -10,8 +10,8 @@
 
 namespace headland {
 
-// For each map the convergence chart (convergence_MAP.svg) and the planners' best plans side by
-// side (plans_MAP.png); for each map and planner its best plan (plan_MAP_LABEL.png). Throws
+// For each map the convergence chart (convergence_MAP.svg and .png) and the planners' best plans
+// side by side (plans_MAP.png); for each map and planner its best plan (plan_MAP_LABEL.png). Throws
 // InputError when gnuplot or the fonts are missing.
 std::vector<FileText> comparison_pictures(const Comparison& comparison,
                                           const std::vector<ComparedRun>& runs);

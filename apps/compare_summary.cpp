@@ -85,6 +85,21 @@ std::string cells_text(const std::optional<GridCell>& cell) {
   return cell ? fmt::format("[{}, {}]", cell->column, cell->row) : "free";
 }
 
+// A planner that stops late had more than the others.
+std::string budget_remark(const Comparison& comparison, const std::string& label,
+                          const std::vector<const ComparedRun*>& runs) {
+  constexpr double kMuch = 1.05;
+  const double budget = comparison.budget == Budget::kEvaluations
+                            ? static_cast<double>(comparison.planners.front().stop.evaluations)
+                            : comparison.planners.front().stop.seconds;
+  const ComparedFigure& figure =
+      figure_named(comparison.budget == Budget::kEvaluations ? "evaluations" : "seconds");
+  const auto used = spread_of(figure, runs);
+  if (comparison.budget == Budget::kNone || !used || used->worst <= kMuch * budget) return "";
+  return fmt::format("  {} overran the budget: up to {:.4g} {} of {:.4g}\n", label, used->worst,
+                     figure.heading, budget);
+}
+
 std::string map_table(const Comparison& comparison, int m, const std::vector<ComparedRun>& runs) {
   const ComparedMap& map = comparison.maps[static_cast<std::size_t>(m)];
   std::string text =
@@ -108,6 +123,7 @@ std::string map_table(const Comparison& comparison, int m, const std::vector<Com
           "average: nothing can drive them\n",
           label, counts.with_jumps, counts.planned, spread_of(figure_named("jumps"), own)->mean);
     }
+    remarks += budget_remark(comparison, label, own);
   }
   return text + aligned(rows) + remarks;
 }

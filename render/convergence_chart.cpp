@@ -19,6 +19,7 @@ constexpr std::array kLineColour = {"#d55e00", "#0072b2", "#009e73", "#cc79a7",
 constexpr int kSamplesPerLine = 240;
 // Costs that differ by more than this factor are told apart on a logarithmic scale only.
 constexpr double kLinearUpTo = 3.0;
+constexpr double kAir = 1.1;  // above and below what is drawn, as a factor
 
 // What the search is followed along: iterations or evaluations.
 struct Axis {
@@ -88,33 +89,83 @@ struct Sample {
   Band band;
 };
 
-// Evenly along the logarithm of x from 1 on.
-std::vector<Sample> samples_of(const ConvergenceLine& line, const Axis& axis, double chart_end) {
-  const double end = took_no_search(line) ? chart_end : std::max(1.0, end_of(line, axis));
+struct Range {
+  double low = 1.0;
+  double high = 2.0;
+};
+
+// From the first plan that a search found to the end of the longest search.
+Range range_of(const std::vector<ConvergenceLine>& lines, const Axis& axis) {
+  Range range;
+  double first = std::numeric_limits<double>::infinity();
+  for (const ConvergenceLine& line : lines) {
+    range.high = std::max(range.high, end_of(line, axis));
+    if (took_no_search(line)) continue;
+    for (const std::vector<ConvergencePoint>& run : line.runs) {
+      if (!run.empty()) first = std::min(first, axis.of_point(run.front()));
+    }
+  }
+  if (first < range.high) range.low = std::max(range.low, first);
+  return range;
+}
+
+// Evenly along the logarithm of x.
+std::vector<Sample> samples_of(const ConvergenceLine& line, const Axis& axis, const Range& range) {
+  const double end = took_no_search(line) ? range.high : std::max(range.low, end_of(line, axis));
   std::vector<Sample> samples;
   for (int i = 0; i <= kSamplesPerLine; ++i) {
-    const double x = std::pow(end, static_cast<double>(i) / kSamplesPerLine);
+    const double x =
+        range.low * std::pow(end / range.low, static_cast<double>(i) / kSamplesPerLine);
     if (const auto band = band_at(line, axis, x)) samples.push_back({x, *band});
   }
   return samples;
 }
 
+// What all costs lie in; no band reaches further.
+Range costs_of(const std::vector<ConvergenceLine>& lines) {
+  Range range{std::numeric_limits<double>::infinity(), 0.0};
+  for (const ConvergenceLine& line : lines) {
+    for (const std::vector<ConvergencePoint>& run : line.runs) {
+      for (const ConvergencePoint& point : run) {
+        range.low = std::min(range.low, point.cost);
+        range.high = std::max(range.high, point.cost);
+      }
+    }
+  }
+  return range;
+}
+
+// Range and marks of the axis of costs. A logarithmic one is marked at 1, 2 and 5 times powers of
+// ten: by itself it would be marked at those powers alone, of which there may be none.
+std::string cost_axis(const Range& costs) {
+  if (!(costs.low > 0.0 && costs.high / costs.low > kLinearUpTo)) {
+    const double air = 0.05 * (costs.high - costs.low) + 1e-6;
+    return fmt::format("set yrange [{:.8g}:{:.8g}]\n", costs.low - air, costs.high + air);
+  }
+  const Range range{costs.low / kAir, costs.high * kAir};
+  std::string marks;
+  for (double power = std::pow(10.0, std::floor(std::log10(range.low))); power <= range.high;
+       power *= 10.0) {
+    for (const double mark : {power, 2.0 * power, 5.0 * power}) {
+      if (mark < range.low || mark > range.high) continue;
+      marks += fmt::format("{}{:g}", marks.empty() ? "" : ", ", mark);
+    }
+  }
+  return fmt::format("set logscale y\nset yrange [{:.8g}:{:.8g}]\nset ytics ({})\n", range.low,
+                     range.high, marks);
+}
+
 std::string panel_of(const std::vector<ConvergenceLine>& lines, const Axis& axis, bool keyed) {
-  double end = 2.0;
-  for (const ConvergenceLine& line : lines) end = std::max(end, end_of(line, axis));
+  const Range range = range_of(lines, axis);
   std::string text;
   std::string bands;
   std::string means;
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0.0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::vector<Sample> samples = samples_of(lines[i], axis, end);
+    const std::vector<Sample> samples = samples_of(lines[i], axis, range);
     if (samples.empty()) continue;
     text += fmt::format("${}{} << EOD\n", axis.name, i);
     for (const auto& [x, band] : samples) {
       text += fmt::format("{:.6g} {:.8g} {:.8g} {:.8g}\n", x, band.low, band.mean, band.high);
-      least = std::min(least, band.low);
-      most = std::max(most, band.high);
     }
     text += "EOD\n";
     const char* colour = kLineColour[i % kLineColour.size()];
@@ -128,25 +179,44 @@ std::string panel_of(const std::vector<ConvergenceLine>& lines, const Axis& axis
                          keyed ? "title " + gnuplot_text(lines[i].label) : "notitle");
   }
   if (means.empty()) return "";
-  const bool logarithmic = least > 0.0 && most / least > kLinearUpTo;
-  return text + fmt::format("set xlabel '{}'\nset xrange [1:{:.6g}]\n{} logscale y\nplot {}{}\n",
-                            axis.label, end, logarithmic ? "set" : "unset", bands,
-                            means.substr(0, means.size() - 2));
+  return text + fmt::format("set xlabel '{}'\nset xrange [{:.6g}:{:.6g}]\nplot {}{}\n", axis.label,
+                            range.low, range.high, bands, means.substr(0, means.size() - 2));
+}
+
+// Share of the chart's width that the names of the lines take.
+double key_share(const std::vector<ConvergenceLine>& lines) {
+  constexpr double kSample_px = 84.0;
+  constexpr double kLetter_px = 8.0;
+  constexpr double kMost = 0.4;
+  std::size_t longest = 0;
+  for (const ConvergenceLine& line : lines) longest = std::max(longest, line.label.size());
+  return std::min(
+      kMost, (kSample_px + kLetter_px * static_cast<double>(longest)) / kConvergenceChartWidth_px);
 }
 
 }  // namespace
 
 std::string convergence_chart_script(const std::string& title,
                                      const std::vector<ConvergenceLine>& lines) {
-  return fmt::format("set multiplot title {} font 'DejaVu Sans Bold,14'\n", gnuplot_text(title)) +
+  constexpr double kLeft = 0.07;
+  constexpr double kGap = 0.06;
+  const double key = key_share(lines);
+  const double panel = 0.5 * (1.0 - kLeft - kGap - key);
+  return fmt::format("set multiplot title {} font 'DejaVu Sans Bold,14'\n",
+                     gnuplot_text(title + ": mean of the runs, with one standard deviation")) +
          "set grid ytics lt 1 lw 1 lc rgb '#d8d8d8'\nset border 3\nset tics nomirror\n"
-         "set logscale x\nset format x '10^{%L}'\nset xtics enhanced\n"
-         "set ylabel 'cost of the best plan so far'\n"
-         "set lmargin at screen 0.07\nset rmargin at screen 0.40\nset bmargin at screen 0.13\n"
+         "set logscale x\nset format x '%.0s%c'\n"
+         "set ylabel 'cost of the best plan so far'\nset bmargin at screen 0.13\n"
          "set tmargin at screen 0.90\nunset key\n" +
+         cost_axis(costs_of(lines)) +
+         fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n", kLeft,
+                     kLeft + panel) +
          panel_of(lines, kIterations, false) +
-         "unset ylabel\nset lmargin at screen 0.46\nset rmargin at screen 0.79\n"
-         "set key at screen 0.81, screen 0.88 left top Left reverse vertical maxrows 20\n" +
+         fmt::format(
+             "unset ylabel\nset lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
+             "set key at screen {:.4f}, screen 0.90 left top Left reverse vertical "
+             "maxrows 24\n",
+             kLeft + panel + kGap, kLeft + 2.0 * panel + kGap, 1.0 - key + 0.015) +
          panel_of(lines, kEvaluations, true) + "unset multiplot\n";
 }
 

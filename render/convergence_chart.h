@@ -19,7 +19,8 @@ struct ConvergenceLine {
 // A script for chart_of (render/gnuplot.h) with two panels: the mean cost of the best plan so far
 // over iterations and over evaluations, with a band of one standard deviation of the runs to either
 // side. A mean begins where the last of its runs has its first plan; a run that has ended counts
-// with what it ended with. A plan that took no search is a line all along.
+// with what it ended with. A plan that took no search is a line all along. A line without runs
+// is left out; at least one has some.
 std::string convergence_chart_script(const std::string& title,
                                      const std::vector<ConvergenceLine>& lines);
 

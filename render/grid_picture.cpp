@@ -17,6 +17,7 @@ using Point2 = Eigen::Vector2d;
 
 constexpr double kLongestSide_px = 1200.0;  // of a map alone
 constexpr double kSheetWidth_px = 2100.0;   // of the maps on a sheet
+constexpr double kSheetHeight_px = 2400.0;
 constexpr double kLargestCell_px = 60.0;
 
 // Numbers of columns below and of rows left of the map.
@@ -129,7 +130,9 @@ Image draw_grid_sheet(const GridMap& map, std::string_view heading,
       static_cast<int>(std::lround(std::sqrt(kPageAspect * count * (aspect + kCaptionAspect)))), 1,
       count);
   const int rows = (count + columns - 1) / columns;
-  const double cell_px = cell_size((kSheetWidth_px - gap * (columns - 1)) / columns, map.columns);
+  const double cell_px =
+      std::min(cell_size((kSheetWidth_px - gap * (columns - 1)) / columns, map.columns),
+               cell_size(kSheetHeight_px / rows, map.rows));
   const double map_width = map.columns * cell_px;
   const double panel_width = std::max(map_width, 380.0);
 
