@@ -15,3 +15,6 @@ build/headland vehicle check utility_tractor --soil tilled --charts docs/images/
   >/dev/null
 build/headland measure --vehicle transplanter --soil firm -o "$results/costs" --quiet
 cp "$results/costs/costs.png" docs/images/
+build/headland compare examples/compare.yaml -o "$results/compare" --quiet
+cp "$results/compare/plans_field_B.png" docs/images/compare_plans.png
+cp "$results/compare/convergence_field_B.png" docs/images/compare_convergence.png

@@ -5,6 +5,8 @@
 
 #include <atomic>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -411,6 +413,22 @@ TEST_F(ComparisonFile, RefusesCostsAndEndsThatAreNone) {
   EXPECT_THAT(refused(kOneMap + "planners: [{name: grid_tplp, stop: {iterations: 2}}]\n"
                                 "budget: {seconds: 1}\n"),
               HasSubstr("planners.stop: not with budget"));
+}
+
+TEST(ComparisonFileDocs, NameEveryKeyAndFigure) {
+  std::ifstream file(HEADLAND_SOURCE_DIR "/docs/compare.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  for (const std::string& key : comparison_key_paths())
+    EXPECT_THAT(text, HasSubstr("`" + key + "`"));
+  for (const ComparedFigure& figure : compared_figures()) {
+    EXPECT_THAT(text, HasSubstr("`" + std::string(figure.key) + "`"));
+  }
+}
+
+TEST(ComparisonFileDocs, TheExampleIsRead) {
+  const Comparison comparison = read_comparison(HEADLAND_SOURCE_DIR "/examples/compare.yaml");
+  EXPECT_GE(comparison.maps.size(), 5U);  // enough for the tests it asks for
+  EXPECT_EQ(comparison.tests.control, "TPLP");
 }
 
 }  // namespace
