@@ -40,6 +40,7 @@ int run(int argc, char** argv) {
   app.footer("Example:\n  headland evaluate examples/demo.yaml -o out/demo");
   headland::add_evaluate_command(app, exit_code);
   headland::add_plan_command(app, exit_code);
+  headland::add_audit_command(app, exit_code);
   headland::add_drive_command(app, exit_code);
   headland::add_render_command(app, exit_code);
   headland::add_measure_command(app, exit_code);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "evaluate/geojson.h"
+#include "evaluate/place_json.h"
 #include "evaluate/run_tables.h"
 #include "terrains/input_error.h"
 #include "terrains/json_text.h"
@@ -48,15 +49,6 @@ constexpr PeakKey kPeaks[] = {
     {"pitch_rad", &Peaks::pitch_rad},
     {"min_voltage_v", &Peaks::min_voltage_v},
 };
-
-void add_place(Json& json, const GeoFrame& frame, const Eigen::Vector2d& p_W) {
-  json["x_m"] = rounded(p_W.x(), 3);
-  json["y_m"] = rounded(p_W.y(), 3);
-  if (!frame.georeferenced || !p_W.allFinite()) return;
-  const Eigen::Vector2d lon_lat_deg = wgs84_from_local(frame, {p_W}).front();
-  json["longitude_deg"] = rounded(lon_lat_deg.x(), 8);
-  json["latitude_deg"] = rounded(lon_lat_deg.y(), 8);
-}
 
 Json energy_json(const EnergyBalance& energy) {
   Json json;

@@ -27,7 +27,7 @@ struct LimitKey {
   std::string_view path;
   bool more_is_better = false;
   double max = 0.0;  // both numbers lie in [0, max]
-  Limit& (*value)(Scenario&);
+  Threshold& (*value)(Scenario&);
 };
 
 std::span<const LimitKey> limit_keys();

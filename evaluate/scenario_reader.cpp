@@ -261,7 +261,7 @@ void read_verdict(const YamlSection& top, Scenario& scenario) {
     const auto section = read_section(*verdict, name, "a section {warn: .., fail: ..}");
     if (!section) continue;
     refuse_unknown_keys(*section, {"warn", "fail"});
-    Limit& limit = key.value(scenario);
+    Threshold& limit = key.value(scenario);
     limit.warn = read_number(*section, "warn", {0.0, key.max}).value_or(limit.warn);
     limit.fail = read_number(*section, "fail", {0.0, key.max}).value_or(limit.fail);
     if (key.more_is_better ? limit.warn < limit.fail : limit.warn > limit.fail) {

@@ -111,7 +111,7 @@ void emit_terrain(YAML::Emitter& out, Scenario& scenario) {
 void emit_verdict(YAML::Emitter& out, Scenario& scenario) {
   begin_section(out, "verdict");
   for (const LimitKey& key : limit_keys()) {
-    const Limit& limit = key.value(scenario);
+    const Threshold& limit = key.value(scenario);
     out << YAML::Key << std::string(key.path.substr(key.path.find('.') + 1)) << YAML::Value;
     out << YAML::Flow << YAML::BeginMap;
     emit(out, "warn", shown(limit.warn));

@@ -21,7 +21,7 @@ struct Check {
   std::string_view key;
   Better better;
   Unit unit;
-  Limit limit;
+  Threshold limit;
   double value;
   std::optional<Peak> peak;  // where and when the value was reached
   std::string_view subject;
@@ -50,7 +50,7 @@ int telling_digits(double value, double limit, Unit unit) {
   return digits;
 }
 
-Grade grade_of(double value, const Limit& limit, Better better) {
+Grade grade_of(double value, const Threshold& limit, Better better) {
   if (!std::isfinite(value)) return Grade::kFail;
   const auto beyond = [&](double bound) {
     return better == Better::kLess ? value > bound : value < bound;

@@ -15,7 +15,7 @@ struct Path;
 
 // A figure is fine up to `warn`, a warning up to `fail`, a failure beyond. For figures where more
 // is better (coverage, reserve) the order is reversed: fine down to `warn`.
-struct Limit {
+struct Threshold {
   double warn = 0.0;
   double fail = 0.0;
 };
@@ -23,16 +23,16 @@ struct Limit {
 // Sources: docs/verdict.md; every number can be set in the
 // scenario.
 struct VerdictLimits {
-  Limit coverage_ratio_min{0.98, 0.95};
-  Limit overlap_ratio_max{0.15, 0.30};
-  Limit outside_area_ratio_max{0.005, 0.02};
-  Limit slip_max{0.20, 0.30};  // sustained
-  Limit load_transfer_max{0.6, 0.9};
-  Limit track_rms_working_m_max{0.05, 0.15};
-  Limit track_error_m_max{0.30, 1.0};  // worst, implement down
-  Limit boundary_overrun_m_max{0.05, 0.5};
-  Limit belly_contact_m_max{0.0, 0.05};
-  Limit reserve_soc_min{0.20, 0.10};
+  Threshold coverage_ratio_min{0.98, 0.95};
+  Threshold overlap_ratio_max{0.15, 0.30};
+  Threshold outside_area_ratio_max{0.005, 0.02};
+  Threshold slip_max{0.20, 0.30};  // sustained
+  Threshold load_transfer_max{0.6, 0.9};
+  Threshold track_rms_working_m_max{0.05, 0.15};
+  Threshold track_error_m_max{0.30, 1.0};  // worst, implement down
+  Threshold boundary_overrun_m_max{0.05, 0.5};
+  Threshold belly_contact_m_max{0.0, 0.05};
+  Threshold reserve_soc_min{0.20, 0.10};
 };
 
 enum class Grade { kPass, kWarn, kFail };

@@ -94,7 +94,7 @@ void legend_coverage(Legend& legend, const PictureScene& scene) {
                                         100.0 * areas.inside_m2[i] / total_m2)
                           : std::string();
   };
-  legend_heading(legend, "Driven coverage");
+  legend_heading(legend, scene.run.samples.empty() ? "Coverage of the path" : "Driven coverage");
   legend_swatch(legend, colours::kOnce, "Once", figure(0));
   legend_swatch(legend, colours::kTwice, "Twice", figure(1));
   legend_swatch(legend, colours::kThrice, "3+ times", figure(2));
@@ -120,7 +120,9 @@ void legend_path(Legend& legend, const PictureScene& scene) {
   };
   sample("Planned swath or headland pass", colours::kPlannedPass, page.px(3.6));
   sample("Planned turn or transit", colours::kPlannedTurn, page.px(3.6));
-  sample("Driven", colours::kDriven, std::max(1.0, page.px(1.3)));
+  if (!scene.run.samples.empty()) {
+    sample("Driven", colours::kDriven, std::max(1.0, page.px(1.3)));
+  }
   legend_start_and_end(legend, scene);
   legend_gap(legend, 10);
 }

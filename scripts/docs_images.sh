@@ -18,3 +18,7 @@ cp "$results/costs/costs.png" docs/images/
 build/headland compare examples/compare.yaml -o "$results/compare" --quiet
 cp "$results/compare/plans_field_B.png" docs/images/compare_plans.png
 cp "$results/compare/convergence_field_B.png" docs/images/compare_convergence.png
+# An audit that fails exits with 1.
+build/headland audit examples/demo.yaml --path examples/straight_rows.csv -o "$results/audit" --quiet ||
+  test $? = 1
+cp "$results/audit/audit.png" docs/images/

@@ -124,9 +124,7 @@ void append_lines(const OGRGeometry& geometry, bool down, std::size_t& count, Gi
   if (type == wkbLineString) {
     bool joined = false;
     for (const OGRPoint& point : *geometry.toLineString()) {
-      ++count;
-      if (!down) continue;
-      track.points.push_back({{point.getX(), point.getY()}, joined, false, count});
+      track.points.push_back({{point.getX(), point.getY()}, joined, false, down, ++count});
       joined = true;
     }
   } else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != 0) {
@@ -158,7 +156,6 @@ GivenTrack track_from_csv(const std::filesystem::path& path, const GeoFrame& fra
     }
   }
   track.longest_interval_s = longest_interval_s(times_s);
-  bool joined = false;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const CsvRow& row = table.rows[i];
     // Receivers set their clocks back by a few seconds; a large step back is another log.
@@ -166,16 +163,12 @@ GivenTrack track_from_csv(const std::filesystem::path& path, const GeoFrame& fra
                              std::abs(times_s[i] - times_s[i - 1]) > track.longest_interval_s;
     const Eigen::Vector2d given(csv_number(table, row, columns.x, path),
                                 csv_number(table, row, columns.y, path));
-    if (implement.has_value() &&
-        !is_down(row.cells[*implement], path,
-                 fmt::format("line {}, {}", row.line, table.header.cells[*implement]))) {
-      joined = false;
-      continue;
-    }
-    track.points.push_back({given, joined, after_pause, row.line});
-    joined = true;
+    const bool down = !implement.has_value() ||
+                      is_down(row.cells[*implement], path,
+                              fmt::format("line {}, {}", row.line, table.header.cells[*implement]));
+    track.points.push_back({given, i > 0, after_pause, down, row.line});
   }
-  if (implement.has_value() && track.points.empty() && !table.rows.empty()) {
+  if (!table.rows.empty() && std::ranges::none_of(track.points, &GivenPoint::down)) {
     refuse_never_down(path, table.header.cells[*implement]);
   }
   return track;
@@ -206,7 +199,9 @@ GivenTrack track_from_vector_file(const std::filesystem::path& path, const GeoFr
     // The layers of a GPX file tell the same track several times.
     if (count > 0) break;
   }
-  if (count > 0 && track.points.empty()) refuse_never_down(path, told_by);
+  if (count > 0 && std::ranges::none_of(track.points, &GivenPoint::down)) {
+    refuse_never_down(path, told_by);
+  }
   if (track.points.empty()) {
     throw InputError(path.string(), "", "", "holds no line; a track is a LineString");
   }

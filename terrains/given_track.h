@@ -16,10 +16,11 @@ struct GivenPoint {
   Eigen::Vector2d given = Eigen::Vector2d::Zero();  // metres, or longitude and latitude
   bool joined = false;                              // to its predecessor
   bool after_pause = false;                         // logged much later than its predecessor
+  bool down = true;                                 // the implement; by default it is
   std::size_t number = 0;                           // of its line or point in the file
 };
 
-// The points with the implement down, in order.
+// All points, in order; at least one with the implement down.
 struct GivenTrack {
   std::vector<GivenPoint> points;
   bool degrees = false;

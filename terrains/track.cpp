@@ -156,29 +156,74 @@ Track sections_joined(const GivenTrack& given, const std::vector<Eigen::Vector2d
   return track;
 }
 
-}  // namespace
+// A track as its file gives it, with its points in W.
+struct PlacedTrack {
+  GivenTrack given;
+  std::vector<Eigen::Vector2d> points_W;
+};
 
-Track read_track(const std::filesystem::path& path, const Field& field) {
+PlacedTrack placed_track(const std::filesystem::path& path, const Field& field) {
   const GeoFrame& frame = field.frame;
   const std::string file = path.string();
   std::string extension = path.extension().string();
   const bool csv = EQUAL(extension.c_str(), ".csv") || EQUAL(extension.c_str(), ".txt") ||
                    EQUAL(extension.c_str(), ".tsv");
-  const GivenTrack given = csv ? track_from_csv(path, frame) : track_from_vector_file(path, frame);
-  require_usable_coordinates(given, frame, file);
-  std::vector<Eigen::Vector2d> points;
-  for (const GivenPoint& point : given.points) points.push_back(point.given);
-  if (given.degrees) {
-    points = local_from_wgs84(frame, wgs84_from_crs("EPSG:4326", points, file));
+  PlacedTrack track{csv ? track_from_csv(path, frame) : track_from_vector_file(path, frame), {}};
+  require_usable_coordinates(track.given, frame, file);
+  for (const GivenPoint& point : track.given.points) track.points_W.push_back(point.given);
+  if (track.given.degrees) {
+    track.points_W = local_from_wgs84(frame, wgs84_from_crs("EPSG:4326", track.points_W, file));
   }
-  require_at_field(given, points, field, file);
-  require_no_jump(given, points, file);
-  Track track = sections_joined(given, points);
+  return track;
+}
+
+// Without the points where the implement is up: those after them are not joined to those before.
+PlacedTrack working_part(const PlacedTrack& track) {
+  PlacedTrack working{track.given, {}};
+  working.given.points.clear();
+  bool after_raised = false;
+  for (std::size_t i = 0; i < track.points_W.size(); ++i) {
+    GivenPoint point = track.given.points[i];
+    if (!point.down) {
+      after_raised = true;
+      continue;
+    }
+    point.joined = !std::exchange(after_raised, false) && point.joined;
+    working.given.points.push_back(point);
+    working.points_W.push_back(track.points_W[i]);
+  }
+  return working;
+}
+
+}  // namespace
+
+Track read_track(const std::filesystem::path& path, const Field& field) {
+  const std::string file = path.string();
+  const PlacedTrack placed = working_part(placed_track(path, field));
+  require_at_field(placed.given, placed.points_W, field, file);
+  require_no_jump(placed.given, placed.points_W, file);
+  Track track = sections_joined(placed.given, placed.points_W);
   if (track.points_W.size() < 2) {
-    throw InputError(file, "", fmt::format("{} points", given.points.size()),
+    throw InputError(file, "", fmt::format("{} points", placed.given.points.size()),
                      "a track has at least two different points that follow each other");
   }
   return track;
+}
+
+std::vector<PathLine> read_path_lines(const std::filesystem::path& path, const Field& field) {
+  const PlacedTrack placed = placed_track(path, field);
+  require_at_field(placed.given, placed.points_W, field, path.string());
+  std::vector<PathLine> lines;
+  for (std::size_t i = 0; i < placed.points_W.size(); ++i) {
+    const GivenPoint& point = placed.given.points[i];
+    if (!point.joined) {
+      lines.push_back({{}, point.down, false});
+    } else if (point.down != lines.back().implement_down) {
+      lines.push_back({{lines.back().points_W.back()}, point.down, true});
+    }
+    lines.back().points_W.push_back(placed.points_W[i]);
+  }
+  return lines;
 }
 
 }  // namespace headland

@@ -42,6 +42,18 @@ struct Track {
 // more than kMaxJump_m between neighbours (names both lines).
 Track read_track(const std::filesystem::path& file, const Field& field);
 
+// A stretch of a path as its file draws it, nothing merged, smoothed or left out.
+struct PathLine {
+  std::vector<Eigen::Vector2d> points_W;  // at least one
+  bool implement_down = true;
+  bool joined = false;  // its first point is the last one of the line before it
+};
+
+// The same files as lines: where the implement goes up or down a new line begins at the last point
+// of the one before. Pauses and jumps are left as they are. Throws InputError as read_track does,
+// also for what is driven with the implement up, but for no jump.
+std::vector<PathLine> read_path_lines(const std::filesystem::path& file, const Field& field);
+
 inline constexpr double kLogGapFactor = 3.0;
 inline constexpr double kPauseTurn_rad = 0.5235987755982988;  // 30 deg
 inline constexpr double kMaxJump_m = 2000.0;

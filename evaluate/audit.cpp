@@ -1,0 +1,263 @@
+#include "evaluate/audit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "evaluate/missed_patches.h"
+#include "evaluate/path_check.h"
+#include "planner/free_space.h"
+#include "terrains/input_error.h"
+
+namespace headland {
+namespace {
+
+// Where the vehicle stands on the path.
+struct State {
+  Pose pose;
+  double along_m = 0.0;
+  double step_m = 0.0;  // from the state before
+  bool down = false;    // from the state before to here
+  bool starts = false;  // not joined to the state before
+};
+
+// Points of lines that are joined, none twice.
+struct Corner {
+  Eigen::Vector2d p_W;
+  bool down = false;  // on the edge that ends here
+};
+using Stretch = std::vector<Corner>;
+
+// One state's or corner's fault; what follows each other makes a place.
+struct Finding {
+  AuditFault fault = AuditFault::kOutside;
+  Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
+  double along_m = 0.0;
+  double length_m = 0.0;
+  double value = 0.0;
+};
+
+constexpr double kSamePlace_m = 1e-3;  // nearer points have no direction between them
+
+std::vector<Stretch> stretches_of(const std::vector<PathLine>& lines) {
+  std::vector<Stretch> stretches;
+  for (const PathLine& line : lines) {
+    const bool goes_on =
+        !stretches.empty() &&
+        (line.joined ||
+         (line.points_W.front() - stretches.back().back().p_W).norm() <= kMaxSegmentGap_m);
+    if (!goes_on) stretches.emplace_back();
+    Stretch& stretch = stretches.back();
+    for (const Eigen::Vector2d& p_W : line.points_W) {
+      if (!stretch.empty() && (p_W - stretch.back().p_W).norm() <= kSamePlace_m) continue;
+      stretch.push_back({p_W, line.implement_down});
+    }
+  }
+  return stretches;
+}
+
+double direction_rad(const Eigen::Vector2d& edge) { return std::atan2(edge.y(), edge.x()); }
+
+// The radius of the curve that a corner between these edges stands for.
+double corner_radius_m(double turn_rad, double edge_before_m, double edge_after_m) {
+  constexpr double kStraight_rad = 1e-9;
+  const double angle_rad = std::abs(turn_rad);
+  if (angle_rad < kStraight_rad) return std::numeric_limits<double>::infinity();
+  return std::min(0.5 * (edge_before_m + edge_after_m) / angle_rad,
+                  kCornerTolerance_m / (1.0 / std::cos(0.5 * angle_rad) - 1.0));
+}
+
+double turn_at(const Stretch& stretch, std::size_t corner) {
+  const Eigen::Vector2d before = stretch[corner].p_W - stretch[corner - 1].p_W;
+  const Eigen::Vector2d after = stretch[corner + 1].p_W - stretch[corner].p_W;
+  return wrap_angle(direction_rad(after) - direction_rad(before));
+}
+
+// By corner, whether the vehicle changes gear there: where the line turns back and soon again, or
+// ends. One that only turns back leaves out how the vehicle turned round.
+std::vector<bool> gear_changes_of(const Stretch& stretch) {
+  std::vector<bool> changes(stretch.size(), false);
+  std::size_t open = 0;  // where the vehicle went into reverse; 0: it goes forward
+  double since_m = 0.0;
+  for (std::size_t i = 1; i < stretch.size(); ++i) {
+    since_m += (stretch[i].p_W - stretch[i - 1].p_W).norm();
+    if (since_m > kLongestReverse_m) open = 0;
+    const bool ends = i + 1 == stretch.size();
+    if (!ends && std::abs(turn_at(stretch, i)) <= kGearChange_rad) continue;
+    if (open > 0) {
+      changes[open] = true;
+      changes[i] = !ends;
+      open = 0;
+    } else if (!ends) {
+      open = i;
+      since_m = 0.0;
+    }
+  }
+  return changes;
+}
+
+// Adds the states of a stretch, its corners' findings and what it adds to the totals.
+void drive_along(const Stretch& stretch, double least_radius_m, Audit& audit,
+                 std::vector<State>& states, std::vector<Finding>& findings) {
+  const std::vector<bool> changes_gear = gear_changes_of(stretch);
+  bool reverse = false;
+  for (std::size_t i = 1; i < stretch.size(); ++i) {
+    const Eigen::Vector2d edge = stretch[i].p_W - stretch[i - 1].p_W;
+    const double edge_m = edge.norm();
+    if (i > 1 && changes_gear[i - 1]) {
+      reverse = !reverse;
+      ++audit.gear_changes;
+    } else if (i > 1) {
+      const double before_m = (stretch[i - 1].p_W - stretch[i - 2].p_W).norm();
+      const double turn_rad = turn_at(stretch, i - 1);
+      const double radius_m = corner_radius_m(turn_rad, before_m, edge_m);
+      if (radius_m < kTooTightShare * least_radius_m) {
+        findings.push_back({AuditFault::kTooTight, stretch[i - 1].p_W, audit.length_m,
+                            radius_m * std::abs(turn_rad), radius_m});
+      }
+    }
+    const double heading_rad = wrap_angle(direction_rad(edge) + (reverse ? std::numbers::pi : 0.0));
+    const auto steps = static_cast<std::size_t>(std::ceil(edge_m / kPathSpacing_m));
+    const double step_m = edge_m / static_cast<double>(steps);
+    // Both headings of a corner are states: the hull of the edge before and that of this one.
+    for (std::size_t step = 0; step <= steps; ++step) {
+      const double share = static_cast<double>(step) / static_cast<double>(steps);
+      State state{{stretch[i - 1].p_W + share * edge, heading_rad}};
+      state.along_m = audit.length_m + share * edge_m;
+      state.step_m = step > 0 ? step_m : 0.0;
+      state.down = stretch[i].down;
+      state.starts = i == 1 && step == 0;
+      states.push_back(state);
+    }
+    audit.length_m += edge_m;
+    if (stretch[i].down) audit.working_length_m += edge_m;
+    if (reverse) audit.reverse_length_m += edge_m;
+  }
+}
+
+AuditFault fault_of(Limit limit) {
+  if (limit == Limit::kHole) return AuditFault::kInHole;
+  return limit == Limit::kObstacle ? AuditFault::kInObstacle : AuditFault::kOutside;
+}
+
+void find_overruns(const Field& field, const Vehicle& vehicle, const std::vector<State>& states,
+                   std::vector<Finding>& findings) {
+  const FreeSpace space = free_space(field, hull_of(vehicle));
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Overrun over = overrun(space, states[i].pose);
+    if (over.limit == Limit::kNone || over.depth_m <= kFitTolerance_m) continue;
+    findings.push_back(
+        {fault_of(over.limit), over.p_W, states[i].along_m, states[i].step_m, over.depth_m});
+  }
+}
+
+bool is_worse(AuditFault fault, double one, double other) {
+  return fault == AuditFault::kTooTight ? one < other : one > other;
+}
+
+// Findings of one fault that follow each other are one place.
+void gather(std::vector<Finding> findings, Audit& audit) {
+  std::ranges::stable_sort(findings, {}, [](const Finding& finding) {
+    return std::pair(finding.fault, finding.along_m);
+  });
+  const Finding* before = nullptr;
+  for (const Finding& finding : findings) {
+    AuditTotals& totals = audit.totals[static_cast<std::size_t>(finding.fault)];
+    const bool same = before != nullptr && before->fault == finding.fault &&
+                      finding.along_m <= before->along_m + before->length_m + finding.length_m;
+    if (!same) {
+      audit.places.push_back({finding.fault, finding.p_W, finding.along_m, 0.0, 0, finding.value});
+      ++totals.places;
+    }
+    AuditPlace& place = audit.places.back();
+    if (is_worse(finding.fault, finding.value, place.worst)) {
+      place.worst = finding.value;
+      place.p_W = finding.p_W;
+    }
+    if (totals.states == 0 || is_worse(finding.fault, finding.value, totals.worst)) {
+      totals.worst = finding.value;
+    }
+    ++place.states;
+    ++totals.states;
+    place.length_m += finding.length_m;
+    totals.length_m += finding.length_m;
+    before = &finding;
+  }
+  std::ranges::stable_sort(audit.places, {}, &AuditPlace::from_m);
+}
+
+std::vector<FootprintSample> footprints_of(const Vehicle& vehicle,
+                                           const std::vector<State>& states) {
+  const double half_m = 0.5 * vehicle.implement.working_width_m;
+  std::vector<FootprintSample> footprints;
+  bool strip_open = false;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const State& state = states[i];
+    // A strip begins where the edge before it ended.
+    const bool working = state.down;
+    strip_open = strip_open && working && !state.starts;
+    if (working) {
+      const Eigen::Vector2d ahead = direction_of(state.pose.heading_rad);
+      const Eigen::Vector2d middle_W = state.pose.p_W + vehicle.implement.x_B_m * ahead;
+      const Eigen::Vector2d left = left_of(state.pose.heading_rad);
+      footprints.push_back(
+          {middle_W + half_m * left, middle_W - half_m * left, 0.0, state.along_m, !strip_open});
+    }
+    strip_open = working;
+  }
+  return footprints;
+}
+
+}  // namespace
+
+std::string_view audit_fault_name(AuditFault fault) {
+  switch (fault) {
+    case AuditFault::kOutside:
+      return "outside";
+    case AuditFault::kInHole:
+      return "in_hole";
+    case AuditFault::kInObstacle:
+      return "in_obstacle";
+    case AuditFault::kTooTight:
+      return "too_tight";
+    case AuditFault::kJump:
+      return "jump";
+  }
+  return "";
+}
+
+Audit audit_path(const Field& field, const Vehicle& vehicle, const std::vector<PathLine>& lines,
+                 double coverage_cell_m) {
+  const bool pivots = vehicle.steering.kind == SteeringKind::kSkid;
+  const double least_radius_m = pivots ? 0.0 : min_turning_radius_m(vehicle);
+  Audit audit;
+  std::vector<State> states;
+  std::vector<Finding> findings;
+  const Corner* end = nullptr;
+  const std::vector<Stretch> stretches = stretches_of(lines);
+  for (const Stretch& stretch : stretches) {
+    if (end != nullptr) {
+      findings.push_back({AuditFault::kJump, end->p_W, audit.length_m, 0.0,
+                          (stretch.front().p_W - end->p_W).norm()});
+    }
+    drive_along(stretch, least_radius_m, audit, states, findings);
+    end = &stretch.back();
+  }
+  if (states.empty()) {
+    throw InputError("path", "", "", "has no two points that are apart: there is nothing to audit");
+  }
+  audit.states = states.size();
+  find_overruns(field, vehicle, states, findings);
+  gather(std::move(findings), audit);
+  audit.raster = measure_coverage(field, footprints_of(vehicle, states),
+                                  vehicle.implement.working_width_m, coverage_cell_m);
+  audit.coverage = coverage_figures(audit.raster);
+  audit.missed = missed_patches(audit.raster, kLeastPatch_m2);
+  return audit;
+}
+
+bool passes(const Audit& audit) { return audit.places.empty(); }
+
+}  // namespace headland
