@@ -64,10 +64,4 @@ int node_at(const GridMap& map, const GridGraph& graph, GridCell cell, const std
   return graph.node_of[index_of(map, cell)];
 }
 
-int direction_between(const GridGraph& graph, int from, int to) {
-  const std::array<int, kDirections>& beside = at(graph.beside, from);
-  const auto found = std::ranges::find(beside, to);
-  return found == beside.end() ? -1 : static_cast<int>(found - beside.begin());
-}
-
 }  // namespace headland

@@ -40,7 +40,14 @@ int node_at(const GridMap& map, const GridGraph& graph, GridCell cell, const std
             const std::string& where);
 
 // Direction of the step from one node to the next; -1 when they are not neighbours.
-int direction_between(const GridGraph& graph, int from, int to);
+inline int direction_between(const GridGraph& graph, int from, int to) {
+  const GridCell one = at(graph.cells, from);
+  const GridCell other = at(graph.cells, to);
+  const int right = other.column - one.column;
+  const int up = other.row - one.row;
+  if (std::abs(right) + std::abs(up) != 1) return -1;
+  return up == 0 ? 1 + right : 2 - up;
+}
 
 // Steps between two nodes if nothing were blocked; there are no fewer.
 inline int steps_without_obstacles(const GridGraph& graph, int from, int to) {

@@ -18,15 +18,36 @@ struct Stretch {
   bool turned_round = false;
 };
 
-double cost_of_parts(const OrderCost& cost, const Order& order,
-                     std::initializer_list<Stretch> parts) {
+using Stretches = std::initializer_list<Stretch>;
+
+// Ends early, with less than the parts' cost, where that is more than `most`.
+double cost_of_parts(const OrderCost& cost, const Order& order, Stretches parts,
+                     double most = std::numeric_limits<double>::infinity()) {
   OrderWalk walk{cost};
   for (const Stretch& part : parts) {
     for (int i = 0; i <= part.to - part.from; ++i) {
-      walk_on(walk, at(order, part.turned_round ? part.to - i : part.from + i));
+      const int next = at(order, part.turned_round ? part.to - i : part.from + i);
+      if (walk.node >= 0) {
+        // Far ways take long to walk.
+        const double least =
+            cost_of_walk(walk) +
+            cost.shares.step * steps_without_obstacles(*cost.graph, walk.node, next);
+        if (least > most) return least;
+      }
+      walk_on(walk, next);
     }
   }
   return cost_of_walk(walk);
+}
+
+// By how much the new parts cost more than the old ones; when that is more than `most`, any number
+// above it.
+double change_of_parts(const OrderCost& cost, const Order& order, double most, Stretches old_one,
+                       Stretches new_one, Stretches old_other = {}, Stretches new_other = {}) {
+  const double before = cost_of_parts(cost, order, old_one) + cost_of_parts(cost, order, old_other);
+  const double one = cost_of_parts(cost, order, new_one, before + most);
+  if (one > before + most) return one - before;
+  return one + cost_of_parts(cost, order, new_other, before + most - one) - before;
 }
 
 // The last place from `place` back that begins a fixed way to one not after `place`, else `least`:
@@ -50,6 +71,81 @@ int place_after(const OrderCost& cost, const Order& order, int place, int most) 
 bool is_parted(const OrderCost& cost, const Order& order, int from, int to) {
   const int end = place_after(cost, order, from, to);
   return end > from && is_fixed_way(cost, at(order, end - 1), at(order, end));
+}
+
+int node_at_place(const Order& order, int place) {
+  return place >= 0 && place <= last_place(order) ? at(order, place) : -1;
+}
+
+// Two nodes that follow each other, and those around them; -1: none, or not to be regarded.
+struct Join {
+  int before = -1;
+  int from = -1;
+  int to = -1;
+  int after = -1;
+};
+
+double cost_of_turn(const OrderCost& cost, int before, int node, int after) {
+  if (before < 0 || after < 0) return 0.0;
+  const int in = direction_between(*cost.graph, before, node);
+  const int out = direction_between(*cost.graph, node, after);
+  return in < 0 || out < 0 ? 0.0 : at(at(cost.turn, in), out);
+}
+
+// The way between the two and the turns at both of them, at least.
+double least_cost(const OrderCost& cost, const Join& join) {
+  if (join.from < 0 || join.to < 0) return 0.0;
+  const double way = cost.shares.step * steps_without_obstacles(*cost.graph, join.from, join.to);
+  return way + cost_of_turn(cost, join.before, join.from, join.to) +
+         cost_of_turn(cost, join.from, join.to, join.after);
+}
+
+// The same where all are neighbours; elsewhere, and where slopes cost something, more than any.
+double most_cost(const OrderCost& cost, const Join& join) {
+  if (join.from < 0 || join.to < 0) return 0.0;
+  const auto is_step = [&](int one, int other) {
+    return one < 0 || direction_between(*cost.graph, one, other) >= 0;
+  };
+  const bool steps = cost.shares.level == 0.0 && cost.shares.climb == 0.0 &&
+                     is_step(join.before, join.from) && is_step(join.from, join.to) &&
+                     is_step(join.after, join.to);
+  return steps ? least_cost(cost, join) : std::numeric_limits<double>::infinity();
+}
+
+// No reversal changes the cost by less: by what its two ends alone can bring.
+double least_change_by_reversal(const OrderCost& cost, const Order& order, int i, int j) {
+  const auto join = [&](int before, int from, int to, int after) {
+    return Join{node_at_place(order, before), node_at_place(order, from), node_at_place(order, to),
+                node_at_place(order, after)};
+  };
+  return least_cost(cost, join(i - 2, i - 1, j, j - 1)) +
+         least_cost(cost, join(i + 1, i, j + 1, j + 2)) -
+         most_cost(cost, join(i - 2, i - 1, i, i + 1)) -
+         most_cost(cost, join(j - 1, j, j + 1, j + 2));
+}
+
+// Likewise of a move. Nodes are left out where the joins made touch each other.
+double least_change_by_move(const OrderCost& cost, const Order& order, int i, int j, int to,
+                            bool turned_round) {
+  constexpr int kNone = -1;
+  const auto join = [&](int before, int from, int to_place, int after) {
+    return Join{node_at_place(order, before), node_at_place(order, from),
+                node_at_place(order, to_place), node_at_place(order, after)};
+  };
+  const int first = turned_round ? j : i;
+  const int last = turned_round ? i : j;
+  const int inward = i == j ? 0 : (turned_round ? -1 : 1);
+  const bool next_after = to == j + 1;
+  const bool next_before = to == i - 2;
+  return least_cost(cost,
+                    join(next_before ? kNone : i - 2, i - 1, j + 1, next_after ? kNone : j + 2)) +
+         least_cost(cost, join(next_after ? kNone : to - 1, to, first,
+                               inward == 0 ? kNone : first + inward)) +
+         least_cost(cost, join(inward == 0 ? to : last - inward, last, to + 1,
+                               next_before ? kNone : to + 2)) -
+         most_cost(cost, join(i - 2, i - 1, i, i + 1)) -
+         most_cost(cost, join(j - 1, j, j + 1, j + 2)) -
+         most_cost(cost, join(to - 1, to, to + 1, to + 2));
 }
 
 int steps_between(const OrderCost& cost, const Order& order, int i, int j) {
@@ -88,19 +184,20 @@ double full_cost(const OrderCost& cost, std::span<const int> order) {
   return cost.shares.constant + cost.shares.step * steps;
 }
 
-double change_by_walked_reversal(const OrderCost& cost, const Order& order, int i, int j) {
+double change_by_walked_reversal(const OrderCost& cost, const Order& order, int i, int j,
+                                 double most) {
+  if (const double least = least_change_by_reversal(cost, order, i, j); least > most) return least;
   const int begin = place_before(cost, order, i - 1, 0);
   const int end = place_after(cost, order, j + 1, last_place(order));
   if (!is_parted(cost, order, i, j)) {
-    return cost_of_parts(cost, order, {{begin, i - 1}, {i, j, true}, {j + 1, end}}) -
-           cost_of_parts(cost, order, {{begin, end}});
+    return change_of_parts(cost, order, most, {{begin, end}},
+                           {{begin, i - 1}, {i, j, true}, {j + 1, end}});
   }
   const int inner_end = place_after(cost, order, i, j);
   const int inner_begin = place_before(cost, order, j, i);
-  return cost_of_parts(cost, order, {{begin, i - 1}, {inner_begin, j, true}}) +
-         cost_of_parts(cost, order, {{i, inner_end, true}, {j + 1, end}}) -
-         cost_of_parts(cost, order, {{begin, inner_end}}) -
-         cost_of_parts(cost, order, {{inner_begin, end}});
+  return change_of_parts(cost, order, most, {{begin, inner_end}},
+                         {{begin, i - 1}, {inner_begin, j, true}}, {{inner_begin, end}},
+                         {{i, inner_end, true}, {j + 1, end}});
 }
 
 double change_by_swap(const OrderCost& cost, const Order& order, int i, int j) {
@@ -109,22 +206,23 @@ double change_by_swap(const OrderCost& cost, const Order& order, int i, int j) {
   if (cost.lengths_only) return length_change_by_swap(cost, order, i, j);
   const int begin = place_before(cost, order, i - 1, 0);
   const int end = place_after(cost, order, j + 1, last_place(order));
+  constexpr double kMost = std::numeric_limits<double>::infinity();
   if (j - i < 2 || !is_parted(cost, order, i + 1, j - 1)) {
-    return cost_of_parts(cost, order,
-                         {{begin, i - 1}, {j, j}, {i + 1, j - 1}, {i, i}, {j + 1, end}}) -
-           cost_of_parts(cost, order, {{begin, end}});
+    return change_of_parts(cost, order, kMost, {{begin, end}},
+                           {{begin, i - 1}, {j, j}, {i + 1, j - 1}, {i, i}, {j + 1, end}});
   }
   const int inner_end = place_after(cost, order, i + 1, j - 1);
   const int inner_begin = place_before(cost, order, j - 1, i + 1);
-  return cost_of_parts(cost, order, {{begin, i - 1}, {j, j}, {i + 1, inner_end}}) +
-         cost_of_parts(cost, order, {{inner_begin, j - 1}, {i, i}, {j + 1, end}}) -
-         cost_of_parts(cost, order, {{begin, inner_end}}) -
-         cost_of_parts(cost, order, {{inner_begin, end}});
+  return change_of_parts(cost, order, kMost, {{begin, inner_end}},
+                         {{begin, i - 1}, {j, j}, {i + 1, inner_end}}, {{inner_begin, end}},
+                         {{inner_begin, j - 1}, {i, i}, {j + 1, end}});
 }
 
 double change_by_move(const OrderCost& cost, const Order& order, int i, int j, int to,
-                      bool turned_round) {
+                      bool turned_round, double most) {
   if (cost.lengths_only) return length_change_by_move(cost, order, i, j, to, turned_round);
+  const double least = least_change_by_move(cost, order, i, j, to, turned_round);
+  if (least > most) return least;
   const Stretch section{i, j, turned_round};
   const bool forward = to > j;
   // What the section is moved past.
@@ -134,24 +232,20 @@ double change_by_move(const OrderCost& cost, const Order& order, int i, int j, i
   const int end =
       place_after(cost, order, until + 1 + (forward ? 0 : j - i + 1), last_place(order));
   if (!is_parted(cost, order, from, until)) {
-    const double old_cost = cost_of_parts(cost, order, {{begin, end}});
-    return forward
-               ? cost_of_parts(cost, order,
-                               {{begin, i - 1}, {from, until}, section, {to + 1, end}}) -
-                     old_cost
-               : cost_of_parts(cost, order, {{begin, to}, section, {from, until}, {j + 1, end}}) -
-                     old_cost;
+    const Stretches moved = {{begin, i - 1}, {from, until}, section, {to + 1, end}};
+    const Stretches moved_back = {{begin, to}, section, {from, until}, {j + 1, end}};
+    return change_of_parts(cost, order, most, {{begin, end}}, forward ? moved : moved_back);
   }
   const int inner_end = place_after(cost, order, from, until);
   const int inner_begin = place_before(cost, order, until, from);
-  const double old_costs = cost_of_parts(cost, order, {{begin, inner_end}}) +
-                           cost_of_parts(cost, order, {{inner_begin, end}});
   if (forward) {
-    return cost_of_parts(cost, order, {{begin, i - 1}, {from, inner_end}}) +
-           cost_of_parts(cost, order, {{inner_begin, to}, section, {to + 1, end}}) - old_costs;
+    return change_of_parts(cost, order, most, {{begin, inner_end}},
+                           {{begin, i - 1}, {from, inner_end}}, {{inner_begin, end}},
+                           {{inner_begin, to}, section, {to + 1, end}});
   }
-  return cost_of_parts(cost, order, {{begin, to}, section, {from, inner_end}}) +
-         cost_of_parts(cost, order, {{inner_begin, i - 1}, {j + 1, end}}) - old_costs;
+  return change_of_parts(cost, order, most, {{begin, inner_end}},
+                         {{begin, to}, section, {from, inner_end}}, {{inner_begin, end}},
+                         {{inner_begin, i - 1}, {j + 1, end}});
 }
 
 void move_section(std::vector<int>& order, int i, int j, int to, bool turned_round) {

@@ -24,16 +24,16 @@ double change_by_reversal(const OrderCost& cost, const std::vector<int>& order, 
 // Its two ways, for lengths alone and for all else.
 double change_by_length_reversal(const OrderCost& cost, const std::vector<int>& order, int i, int j,
                                  double most);
-double change_by_walked_reversal(const OrderCost& cost, const std::vector<int>& order, int i,
-                                 int j);
+double change_by_walked_reversal(const OrderCost& cost, const std::vector<int>& order, int i, int j,
+                                 double most);
 
 // When order[i] and order[j] change places.
 double change_by_swap(const OrderCost& cost, const std::vector<int>& order, int i, int j);
 
 // When order[i] .. order[j] are moved, turned round or not, to between order[to] and order[to + 1];
-// to < i - 1 or to > j, to from -1 to the last.
+// to < i - 1 or to > j, to from -1 to the last; `most` as above.
 double change_by_move(const OrderCost& cost, const std::vector<int>& order, int i, int j, int to,
-                      bool turned_round);
+                      bool turned_round, double most = std::numeric_limits<double>::infinity());
 
 // What change_by_move speaks of.
 void move_section(std::vector<int>& order, int i, int j, int to, bool turned_round);
@@ -65,7 +65,7 @@ inline double change_by_length_reversal(const OrderCost& cost, const std::vector
 inline double change_by_reversal(const OrderCost& cost, const std::vector<int>& order, int i, int j,
                                  double most) {
   return cost.lengths_only ? change_by_length_reversal(cost, order, i, j, most)
-                           : change_by_walked_reversal(cost, order, i, j);
+                           : change_by_walked_reversal(cost, order, i, j, most);
 }
 
 }  // namespace headland

@@ -8,11 +8,6 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-double turn_cost(const CostShares& shares, int one, int next) {
-  if (is_turn(one, next)) return shares.turn;
-  return is_u_turn(one, next) ? shares.u_turn : 0.0;
-}
-
 double step_cost(const OrderCost& cost, int from, int to) {
   if (cost.graph->height_m.empty()) return cost.shares.step;
   const StepSlope slope = slope_of_step(*cost.graph, from, to);
@@ -21,19 +16,21 @@ double step_cost(const OrderCost& cost, int from, int to) {
 
 // The cost of the walk once it has turned to `direction`.
 double turned_to(const OrderWalk& walk, int direction) {
-  if (!walk.moved) return 0.0;
+  if (!walk.several) {
+    return walk.last < 0 ? walk.so_far : walk.so_far + at(at(walk.cost.turn, walk.last), direction);
+  }
   double least = kNever;
   for (int last = 0; last < kDirections; ++last) {
-    least = std::min(least, at(walk.by_last, last) + turn_cost(walk.cost.shares, last, direction));
+    least = std::min(least, at(walk.by_last, last) + at(at(walk.cost.turn, last), direction));
   }
   return least;
 }
 
 void arrive(OrderWalk& walk, int node, int direction, double cost) {
-  walk.by_last.fill(kNever);
-  at(walk.by_last, direction) = cost;
   walk.node = node;
-  walk.moved = true;
+  walk.last = direction;
+  walk.so_far = cost;
+  walk.several = false;
 }
 
 void walk_far(OrderWalk& walk, int to) {
@@ -62,9 +59,8 @@ struct Ways {
       const int next = at(at(cost.graph->beside, node), next_direction);
       if (next < 0 || (*cost.table)(next, to) != left - 1) continue;
       step(next);
-      follow(
-          next, next_direction, left - 1,
-          so_far + turn_cost(cost.shares, direction, next_direction) + step_cost(cost, node, next));
+      follow(next, next_direction, left - 1,
+             so_far + at(at(cost.turn, direction), next_direction) + step_cost(cost, node, next));
       step(-1);
     }
   }
@@ -107,13 +103,13 @@ int append_leg(const OrderWalk& before, int to, int last_direction, std::vector<
         });
   }
   reversed.insert(reversed.end(), best.rbegin(), best.rend());
-  if (!before.moved) return -1;
+  if (!before.several || best.empty()) return before.last;
   const int first_direction = direction_between(*cost.graph, before.node, best.front());
   int last = 0;
   double least = kNever;
   for (int direction = 0; direction < kDirections; ++direction) {
     const double costs =
-        at(before.by_last, direction) + turn_cost(cost.shares, direction, first_direction);
+        at(before.by_last, direction) + at(at(cost.turn, direction), first_direction);
     if (costs < least) last = direction;
     least = std::min(least, costs);
   }
@@ -123,16 +119,22 @@ int append_leg(const OrderWalk& before, int to, int last_direction, std::vector<
 }  // namespace
 
 OrderCost order_cost(const GridGraph& graph, const DistanceTable& table, const GridCost& cost) {
-  OrderCost result{&graph, &table, cost_shares(cost, graph), true};
+  OrderCost result{&graph, &table, cost_shares(cost, graph), true, {}};
   const CostShares& shares = result.shares;
   result.lengths_only =
       !(shares.turn > 0.0 || shares.u_turn > 0.0 || shares.level > 0.0 || shares.climb > 0.0);
+  for (int one = 0; one < kDirections; ++one) {
+    for (int next = 0; next < kDirections; ++next) {
+      at(at(result.turn, one), next) =
+          is_turn(one, next) ? shares.turn : (is_u_turn(one, next) ? shares.u_turn : 0.0);
+    }
+  }
   return result;
 }
 
 bool is_fixed_way(const OrderCost& cost, int from, int to) {
-  const int steps = (*cost.table)(from, to);
-  return steps <= 1 || steps > kJoinSteps;
+  if (steps_without_obstacles(*cost.graph, from, to) <= 1) return true;
+  return (*cost.table)(from, to) > kJoinSteps;
 }
 
 void walk_on(OrderWalk& walk, int to) {
@@ -156,11 +158,12 @@ void walk_on(OrderWalk& walk, int to) {
       });
   walk.by_last = by_last;
   walk.node = to;
-  walk.moved = true;
+  walk.last = -1;
+  walk.several = true;
 }
 
 double cost_of_walk(const OrderWalk& walk) {
-  return walk.moved ? *std::ranges::min_element(walk.by_last) : 0.0;
+  return walk.several ? *std::ranges::min_element(walk.by_last) : walk.so_far;
 }
 
 std::vector<int> expanded(const OrderCost& cost, std::span<const int> order) {
@@ -179,7 +182,8 @@ std::vector<int> expanded(const OrderCost& cost, std::span<const int> order) {
   }
   std::vector<int> reversed;
   const auto& by_last = walk.by_last;
-  int last = static_cast<int>(std::ranges::min_element(by_last) - by_last.begin());
+  int last = walk.several ? static_cast<int>(std::ranges::min_element(by_last) - by_last.begin())
+                          : walk.last;
   for (std::size_t i = order.size() - 1; i > 0; --i) {
     last = append_leg(at_place[i - 1], order[i], last, reversed);
   }

@@ -16,6 +16,8 @@ struct OrderCost {
   const DistanceTable* table = nullptr;
   CostShares shares;
   bool lengths_only = true;  // neither turns nor slopes cost anything
+  // Of going on in the second direction after a step in the first.
+  std::array<std::array<double, kDirections>, kDirections> turn{};
 };
 
 OrderCost order_cost(const GridGraph& graph, const DistanceTable& table, const GridCost& cost);
@@ -31,9 +33,11 @@ bool is_fixed_way(const OrderCost& cost, int from, int to);
 // The cheapest walk from cell to cell of an order, as far as it came.
 struct OrderWalk {
   const OrderCost& cost;
-  int node = -1;                              // where it is; -1: nowhere yet
-  bool moved = false;                         // whether it has a last direction
-  std::array<double, kDirections> by_last{};  // cost, by the direction of the last step
+  int node = -1;        // where it is; -1: nowhere yet
+  int last = -1;        // direction of the last step; -1: none yet, or any of several
+  double so_far = 0.0;  // its cost, unless there are several
+  bool several = false;
+  std::array<double, kDirections> by_last{};  // by the direction of the last step, if several
 };
 
 void walk_on(OrderWalk& walk, int to);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "planner/order_population.h"
@@ -45,11 +46,13 @@ void look_at(Descent& descent, int place) {
   descent.to_look_at.push_back(node);
 }
 
-double cost_change(Descent& descent, const Change& change) {
+double cost_change(Descent& descent, const Change& change, double most) {
   ++descent.evaluations;
-  if (!change.moves) return change_by_reversal(descent.cost, descent.order, change.i, change.j);
+  if (!change.moves) {
+    return change_by_reversal(descent.cost, descent.order, change.i, change.j, most);
+  }
   return change_by_move(descent.cost, descent.order, change.i, change.j, change.to,
-                        change.turned_round);
+                        change.turned_round, most);
 }
 
 void apply(Descent& descent, const Change& change) {
@@ -96,7 +99,7 @@ bool is_allowed(const Descent& descent, const Change& change) {
 
 bool make_if_cheaper(Descent& descent, const Change& change) {
   if (!is_allowed(descent, change)) return false;
-  const double worth = cost_change(descent, change);
+  const double worth = cost_change(descent, change, -kNoChange);
   if (worth >= -kNoChange) return false;
   make(descent, change, worth);
   return true;
@@ -175,7 +178,7 @@ void kick(Descent& descent, int most_cells, SeededRandom& random) {
   const int other = 1 + draw_below(random, longest);
   const int i = descent.places.first + draw_below(random, count - one - other + 1);
   const Change change{i, i + one - 1, i + one + other - 1, true, false};
-  make(descent, change, cost_change(descent, change));
+  make(descent, change, cost_change(descent, change, std::numeric_limits<double>::infinity()));
 }
 
 void take_back(Descent& descent) {
