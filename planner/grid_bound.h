@@ -12,8 +12,7 @@ namespace headland {
 // is a bound. It is found as a least vertex cover (Koenig's theorem; Hopcroft and Karp, 'An n^5/2
 // algorithm for maximum matchings in bipartite graphs', 1973): the two colours of a chessboard are
 // the graph's sides. What one colour has too many is thus counted, obstacle by obstacle, and what
-// dead ends cost. Rounded up to the parity that given ends ask for. Near linear time: about half a
-// second for a million cells. Throws Cancelled.
+// dead ends cost. Rounded up to the parity that given ends ask for. Throws Cancelled.
 int least_steps(const GridProblem& problem, const CancelAsked& cancelled = {});
 
 }  // namespace headland

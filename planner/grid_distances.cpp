@@ -11,6 +11,19 @@ namespace {
 
 constexpr std::uint16_t kUnreached = std::numeric_limits<std::uint16_t>::max();
 
+constexpr std::size_t kNearSide = 2 * kNearTableSteps + 1;
+constexpr std::uint8_t kNotNear = 255;
+constexpr int kNodesPerCheck = 1024;  // between questions whether to go on
+
+// Of two nodes at most kNearTableSteps columns and rows apart.
+std::size_t near_entry(const GridGraph& graph, int from, int to) {
+  const GridCell one = at(graph.cells, from);
+  const GridCell other = at(graph.cells, to);
+  const auto column = static_cast<std::size_t>(other.column - one.column + kNearTableSteps);
+  const auto row = static_cast<std::size_t>(other.row - one.row + kNearTableSteps);
+  return (static_cast<std::size_t>(from) * kNearSide + row) * kNearSide + column;
+}
+
 void fill_row(const GridGraph& graph, int start, std::vector<int>& queue, std::uint16_t* row) {
   std::fill(row, row + graph.size(), kUnreached);
   int reached = 0;
@@ -52,7 +65,8 @@ DistanceTable distance_table(const GridGraph& graph, const std::string& source,
   if (graph.size() > kMaxTableNodes) {
     throw InputError(source, "map", fmt::format("{} free cells", graph.size()),
                      fmt::format("at most {} for this planner, which needs the distances between "
-                                 "all of them; grid_boustrophedon takes more",
+                                 "all of them; grid_boustrophedon and grid_local_search take "
+                                 "more",
                                  kMaxTableNodes));
   }
   DistanceTable table;
@@ -63,6 +77,37 @@ DistanceTable distance_table(const GridGraph& graph, const std::string& source,
   for (int node = 0; node < table.nodes; ++node) {
     stop_if(cancelled);
     fill_row(graph, node, queue, table.steps.data() + static_cast<std::size_t>(node) * nodes);
+  }
+  return table;
+}
+
+int DistanceTable::near_or_free(int from, int to) const {
+  const int free = steps_without_obstacles(*graph, from, to);
+  if (free > kNearTableSteps) return free;
+  const int known = near[near_entry(*graph, from, to)];
+  return known == kNotNear ? std::max(free, kNearTableSteps + 1) : known;
+}
+
+DistanceTable local_distances(const GridGraph& graph, const CancelAsked& cancelled) {
+  DistanceTable table;
+  table.nodes = graph.size();
+  table.graph = &graph;
+  table.near.assign(graph.cells.size() * kNearSide * kNearSide, kNotNear);
+  std::vector<int> reached;
+  for (int node = 0; node < graph.size(); ++node) {
+    if (node % kNodesPerCheck == 0) stop_if(cancelled);
+    reached.assign(1, node);
+    table.near[near_entry(graph, node, node)] = 0;
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      const int steps = table.near[near_entry(graph, node, reached[i])];
+      for (const int next : at(graph.beside, reached[i])) {
+        if (next < 0 || steps == kNearTableSteps) continue;
+        std::uint8_t& known = table.near[near_entry(graph, node, next)];
+        if (known != kNotNear) continue;
+        known = static_cast<std::uint8_t>(steps + 1);
+        reached.push_back(next);
+      }
+    }
   }
   return table;
 }
@@ -89,6 +134,13 @@ std::vector<std::vector<int>> nodes_within(const GridGraph& graph, int steps) {
 
 void append_way(const GridGraph& graph, const DistanceTable& table, int from, int to,
                 std::vector<int>& path) {
+  if (table.steps.empty() && table(from, to) > kNearTableSteps) {
+    BreadthFirst first(graph);
+    const std::vector<int> way =
+        way_to(first, from, {0, 1, 2, 3}, [to](int node) { return node == to; });
+    path.insert(path.end(), way.begin(), way.end());
+    return;
+  }
   if (from < to) return append_upward(graph, table, from, to, path);
   if (from == to) return;
   const std::size_t begin = path.size();

@@ -16,24 +16,34 @@ namespace headland {
 // same as their Floyd algorithm (Eq 3) in a fraction of the time.
 struct DistanceTable {
   int nodes = 0;
-  std::vector<std::uint16_t> steps;  // row by row
+  std::vector<std::uint16_t> steps;  // row by row; empty: of near nodes only
+  std::vector<std::uint8_t> near;    // by node and column and row away; see local_distances
+  const GridGraph* graph = nullptr;  // of `near`; not owned
 
   int operator()(int from, int to) const {
+    if (steps.empty()) return near_or_free(from, to);
     return steps[static_cast<std::size_t>(from) * static_cast<std::size_t>(nodes) +
                  static_cast<std::size_t>(to)];
   }
+
+  int near_or_free(int from, int to) const;
 };
 
 // The table takes 2 bytes for each pair: 0.8 GB for as many nodes.
 inline constexpr int kMaxTableNodes = 20000;
 
-// Throws InputError above kMaxTableNodes, Cancelled.
+// For maps of any size, 81 bytes a node: nodes at most so many steps apart have their distance, all
+// others the one that they would have if nothing were blocked, which may be too little.
+inline constexpr int kNearTableSteps = 4;
+DistanceTable local_distances(const GridGraph& graph, const CancelAsked& cancelled = {});
+
+// Throws InputError above kMaxTableNodes, which names planners that need no table; Cancelled.
 DistanceTable distance_table(const GridGraph& graph, const std::string& source,
                              const CancelAsked& cancelled = {});
 
 // Appends the nodes after `from` up to `to` on a shortest way. It is the same way back, depends on
 // nothing but the two, and goes on straight while that is shortest, else to the first direction
-// that is.
+// that is. Nodes whose distance the table does not have are joined by a search of the graph.
 void append_way(const GridGraph& graph, const DistanceTable& table, int from, int to,
                 std::vector<int>& path);
 

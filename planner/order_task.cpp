@@ -4,14 +4,25 @@
 
 namespace headland {
 
-OrderTask::OrderTask(const GridPlanRequest& asked)
+namespace {
+
+DistanceTable table_for(const GridGraph& graph, Tables tables, const CancelAsked& cancelled) {
+  if (tables == Tables::kLocalWhereLarge && graph.size() > kMaxTableNodes) {
+    return local_distances(graph, cancelled);
+  }
+  return distance_table(graph, kGridPlanSource, cancelled);
+}
+
+}  // namespace
+
+OrderTask::OrderTask(const GridPlanRequest& asked, Tables tables)
     : request(asked),
       problem(grid_problem(asked)),
-      table(distance_table(problem.graph, kGridPlanSource, asked.cancelled)),
+      table(table_for(problem.graph, tables, asked.cancelled)),
       cost(order_cost(problem.graph, table, asked.cost)),
       random(asked.seed),
       search(begun_search(asked)) {
-  if (!cost.lengths_only) return;
+  if (!cost.lengths_only || table.steps.empty()) return;
   search.least = cost.shares.constant + cost.shares.step * least_steps(problem, asked.cancelled);
 }
 

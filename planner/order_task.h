@@ -9,19 +9,23 @@
 
 namespace headland {
 
+// Which distances a search needs.
+enum class Tables { kAllPairs, kLocalWhereLarge };
+
 // Its parts point to each other.
 struct OrderTask {
-  // Throws InputError as grid_problem and distance_table; Cancelled.
-  explicit OrderTask(const GridPlanRequest& request);
+  // Throws InputError as grid_problem and, unless the search gets along without, distance_table;
+  // Cancelled.
+  explicit OrderTask(const GridPlanRequest& request, Tables tables = Tables::kAllPairs);
   OrderTask(const OrderTask&) = delete;
   OrderTask& operator=(const OrderTask&) = delete;
 
   const GridPlanRequest& request;  // not owned
   GridProblem problem;
-  DistanceTable table;
+  DistanceTable table;  // local_distances where large and the search gets along with them
   OrderCost cost;
   SeededRandom random;
-  GridSearch search;  // ends when least_steps are reached where length alone counts
+  GridSearch search;  // where length alone counts it ends at least_steps, unless the map is large
 };
 
 // The plan of an order.

@@ -33,7 +33,28 @@ void arrive(OrderWalk& walk, int node, int direction, double cost) {
   walk.several = false;
 }
 
+// As if nothing were blocked and the ground were flat: along the row at the end with the lower
+// number, then the column.
+void walk_free(OrderWalk& walk, int to) {
+  const GridGraph& graph = *walk.cost.graph;
+  const GridCell one = at(graph.cells, walk.node);
+  const GridCell other = at(graph.cells, to);
+  const CostShares& shares = walk.cost.shares;
+  const int along = other.column < one.column ? 0 : 2;
+  const int across = other.row < one.row ? 3 : 1;
+  const bool row_first = walk.node < to;
+  int first = row_first ? along : across;
+  int last = row_first ? across : along;
+  if (one.row == other.row) first = last = along;
+  if (one.column == other.column) first = last = across;
+  const double cost =
+      turned_to(walk, first) + at(at(walk.cost.turn, first), last) +
+      (shares.step + shares.level * graph.cell_m) * steps_without_obstacles(graph, walk.node, to);
+  arrive(walk, to, last, cost);
+}
+
 void walk_far(OrderWalk& walk, int to) {
+  if (walk.cost.table->steps.empty()) return walk_free(walk, to);
   // Ways are the same in both directions, so that turning a section round leaves its cost.
   std::vector<int> way = {walk.node};
   append_way(*walk.cost.graph, *walk.cost.table, walk.node, to, way);

@@ -144,6 +144,7 @@ std::vector<Chromosome> next_generation(Evolution& evolution,
   const Three mean = mean_counted(population);
   std::vector<Chromosome> next(population.begin(), population.begin() + evolution.elites);
   while (next.size() < population.size()) {
+    stop_if(evolution.search.cancelled);
     next.push_back(child_of(evolution, population, sums));
     if (evolution.adaptive) adapt_weights(mean, next.back());
     set_fitness(evolution, next.back());
@@ -156,6 +157,7 @@ std::vector<Chromosome> next_generation(Evolution& evolution,
 std::vector<int> evolved(Evolution& evolution, int size) {
   std::vector<Chromosome> population;
   for (int i = 0; i < size; ++i) {
+    stop_if(evolution.search.cancelled);
     Chromosome one;
     one.order = random_order(evolution.problem, evolution.random);
     const GridWeights& weights = evolution.request.cost.weights;

@@ -1,249 +1,132 @@
 #include "planner/algorithms/grid_local_search.h"
 
-#include <algorithm>
 #include <array>
-#include <cstdint>
-#include <limits>
+#include <utility>
 #include <vector>
 
+#include "planner/algorithms/grid_boustrophedon.h"
+#include "planner/order_descent.h"
 #include "planner/order_population.h"
 
 namespace headland {
 namespace {
 
-constexpr int kLongestSection = 3;   // cells that are moved together
-constexpr int kNearStepsLength = 3;  // which cells are near, where length alone counts
-constexpr int kNearStepsTurns = 1;
 constexpr int kKicksPerCheck = 64;  // between questions whether to go on
 
-// A change of the order: of order[i] .. order[j], turned round where it is, or moved to `to`.
-struct Change {
-  int i = 0;
-  int j = 0;
-  int to = 0;
-  bool moves = false;
-  bool turned_round = false;
-};
-
-struct Descent {
-  const OrderCost& cost;
-  FreePlaces places;
-  std::vector<std::vector<int>> near;  // by node, nearest first
-  std::vector<int> order;
-  std::vector<int> place;       // of each node
-  std::vector<int> to_look_at;  // nodes whose surroundings changed, last first
-  std::vector<char> waits;      // whether a node is in it
-  std::vector<Change> done;     // since the last kick
-  double change = 0.0;          // of the cost by them
-  std::int64_t evaluations = 0;
-};
-
-void look_at(Descent& descent, int place) {
-  if (place < 0 || place >= static_cast<int>(descent.order.size())) return;
-  const int node = at(descent.order, place);
-  if (at(descent.waits, node) != 0) return;
-  at(descent.waits, node) = 1;
-  descent.to_look_at.push_back(node);
-}
-
-double cost_change(Descent& descent, const Change& change, double most) {
-  ++descent.evaluations;
-  if (!change.moves) {
-    return change_by_reversal(descent.cost, descent.order, change.i, change.j, most);
-  }
-  return change_by_move(descent.cost, descent.order, change.i, change.j, change.to,
-                        change.turned_round, most);
-}
-
-void apply(Descent& descent, const Change& change) {
-  if (change.moves) {
-    move_section(descent.order, change.i, change.j, change.to, change.turned_round);
-  } else {
-    std::reverse(descent.order.begin() + change.i, descent.order.begin() + change.j + 1);
-  }
-  const int first = change.moves ? std::min(change.i, change.to + 1) : change.i;
-  const int last = change.moves ? std::max(change.j, change.to) : change.j;
-  for (int i = first; i <= last; ++i) at(descent.place, at(descent.order, i)) = i;
-}
-
-Change inverse(const Change& change) {
-  if (!change.moves) return change;
-  const int more = change.j - change.i;
-  if (change.to > change.j) {
-    return {change.to - more, change.to, change.i - 1, true, change.turned_round};
-  }
-  return {change.to + 1, change.to + 1 + more, change.j, true, change.turned_round};
-}
-
-// Applies a change worth `worth` and remembers it and the places around it.
-void make(Descent& descent, const Change& change, double worth) {
-  apply(descent, change);
-  descent.change += worth;
-  descent.done.push_back(change);
-  const int low = change.moves ? std::min(change.i, change.to + 1) : change.i;
-  const int high = change.moves ? std::max(change.j, change.to) : change.j;
-  const int more = change.j - change.i;
-  const int inner = change.moves && change.to > change.j ? high - more : low + more;
-  for (const int at : {low, high, inner}) {
-    for (int around = at - 2; around <= at + 2; ++around) look_at(descent, around);
-  }
-}
-
-bool is_allowed(const Descent& descent, const Change& change) {
-  const FreePlaces& places = descent.places;
-  if (change.i < places.first || change.j >= places.end || change.i > change.j) return false;
-  if (!change.moves) return change.i < change.j;
-  const bool apart = change.to < change.i - 1 || change.to > change.j;
-  return apart && change.to >= places.first - 1 && change.to < places.end;
-}
-
-bool make_if_cheaper(Descent& descent, const Change& change) {
-  if (!is_allowed(descent, change)) return false;
-  const double worth = cost_change(descent, change, -kNoChange);
-  if (worth >= -kNoChange) return false;
-  make(descent, change, worth);
-  return true;
-}
-
-// Tries all that brings the nodes at these places beside each other in the order.
-bool improve_pair(Descent& descent, int at, int near) {
-  const int low = std::min(at, near);
-  const int high = std::max(at, near);
-  if (make_if_cheaper(descent, {low + 1, high, 0, false, false}) ||
-      make_if_cheaper(descent, {low, high - 1, 0, false, false})) {
-    return true;
-  }
-  for (int more = 0; more < kLongestSection; ++more) {
-    // Sections that begin and that end at `at`, put before and after the other.
-    if (make_if_cheaper(descent, {at, at + more, near, true, false}) ||
-        make_if_cheaper(descent, {at, at + more, near - 1, true, true}) ||
-        make_if_cheaper(descent, {at - more, at, near - 1, true, false}) ||
-        make_if_cheaper(descent, {at - more, at, near, true, true})) {
-      return true;
-    }
-  }
-  return false;
-}
-
-// The longest way from the place to those before and after it; where length alone counts, only
-// what is nearer than that can shorten the path.
-int longest_way(const Descent& descent, int place) {
-  const DistanceTable& steps = *descent.cost.table;
-  int longest = 0;
-  const int last = static_cast<int>(descent.order.size()) - 1;
-  if (place > 0) longest = steps(at(descent.order, place - 1), at(descent.order, place));
-  if (place < last) {
-    longest = std::max(longest, steps(at(descent.order, place), at(descent.order, place + 1)));
-  }
-  return longest;
-}
-
-// Whether there is anything to gain at the place: a way of more than one step, or a turn.
-bool costs_extra(const Descent& descent, int place) {
-  const CostShares& shares = descent.cost.shares;
-  if (shares.level > 0.0 || shares.climb > 0.0) return true;
-  const int first = std::max(place - 1, 0);
-  const int last = std::min(place + 1, static_cast<int>(descent.order.size()) - 1);
-  OrderWalk walk{descent.cost};
-  for (int i = first; i <= last; ++i) walk_on(walk, at(descent.order, i));
-  return cost_of_walk(walk) > shares.step * (last - first) + kNoChange;
-}
-
-bool improve_at(Descent& descent, int node) {
-  const int place = at(descent.place, node);
-  if (!costs_extra(descent, place)) return false;
-  const int longest = longest_way(descent, place);
-  for (const int near : at(descent.near, node)) {
-    if (descent.cost.lengths_only && (*descent.cost.table)(node, near) >= longest) return false;
-    if (improve_pair(descent, place, at(descent.place, near))) return true;
-  }
-  return false;
-}
-
-void descend(Descent& descent) {
-  while (!descent.to_look_at.empty()) {
-    const int node = descent.to_look_at.back();
-    descent.to_look_at.pop_back();
-    at(descent.waits, node) = 0;
-    while (improve_at(descent, node)) {
-    }
-  }
-}
-
-// Two neighbouring sections change places.
-void kick(Descent& descent, int most_cells, SeededRandom& random) {
-  const int count = descent.places.end - descent.places.first;
-  const int longest = std::min(most_cells, count / 2);
-  const int one = 1 + draw_below(random, longest);
-  const int other = 1 + draw_below(random, longest);
-  const int i = descent.places.first + draw_below(random, count - one - other + 1);
-  const Change change{i, i + one - 1, i + one + other - 1, true, false};
-  make(descent, change, cost_change(descent, change, std::numeric_limits<double>::infinity()));
-}
-
-void take_back(Descent& descent) {
-  for (auto change = descent.done.rbegin(); change != descent.done.rend(); ++change) {
-    apply(descent, inverse(*change));
-  }
-}
+// Whether distances are known between near cells only.
+bool is_local(const OrderTask& task) { return task.table.steps.empty(); }
 
 // Kicks once and keeps what comes of it unless it is costlier; by how much the cost changed.
-double kick_and_descend(Descent& descent, int most_cells, SeededRandom& random) {
+double kick_and_descend(Descent& descent, int most_cells, OrderTask& task) {
   descent.done.clear();
   descent.change = 0.0;
-  kick(descent, most_cells, random);
-  descend(descent);
+  kick(descent, most_cells, task.random);
+  descend(descent, task.search);
   if (descent.change <= kNoChange) return descent.change;
   take_back(descent);
   return 0.0;
 }
 
-Descent begun_descent(OrderTask& task) {
-  const GridGraph& graph = task.problem.graph;
-  Descent descent{task.cost,
-                  free_places(task.problem),
-                  nodes_within(graph, task.cost.lengths_only ? kNearStepsLength : kNearStepsTurns),
-                  nearest_cell_order(task.problem, task.table, task.random),
-                  std::vector<int>(graph.cells.size()),
-                  {},
-                  std::vector<char>(graph.cells.size(), 0),
-                  {}};
-  for (int i = static_cast<int>(descent.order.size()) - 1; i >= 0; --i) {
-    at(descent.place, at(descent.order, i)) = i;
-    look_at(descent, i);
+// The cells in the order in which boustrophedon comes to them first.
+std::vector<int> row_by_row_order(const OrderTask& task) {
+  GridPlanRequest request = task.request;
+  request.parameters.clear();
+  const GridPlan plan = plan_grid_boustrophedon(request);
+  const GridProblem& problem = task.problem;
+  const auto node_of = [&](GridCell cell) {
+    return at(problem.graph.node_of, static_cast<int>(index_of(request.map, cell)));
+  };
+  std::vector<char> waits(problem.graph.cells.size(), 1);
+  if (problem.end >= 0) at(waits, problem.end) = 0;
+  std::vector<int> order;
+  if (problem.closed) order.push_back(problem.start);
+  for (const GridCell cell : plan.cells) {
+    const int node = node_of(cell);
+    if (at(waits, node) != 0) order.push_back(node);
+    at(waits, node) = 0;
   }
-  return descent;
+  if (problem.end >= 0) order.push_back(problem.end);
+  return order;
+}
+
+// Another greedy order, where there is a table of all distances.
+std::vector<int> first_order(OrderTask& task) {
+  return is_local(task) ? row_by_row_order(task)
+                        : nearest_cell_order(task.problem, task.table, task.random);
+}
+
+// As many kicks as there are cells; whether the order became cheaper. `cost` is the order's.
+bool improve_for_an_iteration(Descent& descent, OrderTask& task, int kick_cells, double& cost) {
+  const double before = cost;
+  for (int kicks = 0; kicks < task.problem.graph.size(); ++kicks) {
+    if (kicks % kKicksPerCheck == 0 && !goes_on(task.search)) break;
+    cost += kick_and_descend(descent, kick_cells, task);
+    task.search.evaluations = descent.evaluations;
+    note_cost(task.search, cost);
+  }
+  // Sums of changes are rounded.
+  cost = full_cost(task.cost, descent.order);
+  return cost < before - kNoChange;
+}
+
+// The plan, whose search had distances that may be too small, or what it began with if that is
+// cheaper. Costs on the way are not known; what it began and ended with is.
+GridPlan better_of_local(const OrderTask& task, GridPlan plan) {
+  GridPlanRequest request = task.request;
+  request.parameters.clear();
+  GridPlan first = plan_grid_boustrophedon(request);
+  if (first.cost <= plan.cost) {
+    plan.cells = std::move(first.cells);
+    plan.counts = first.counts;
+    plan.cost = first.cost;
+    plan.fitness = first.fitness;
+  }
+  plan.convergence = {{0, 1, first.cost}};
+  if (plan.cost < first.cost) {
+    plan.convergence.push_back({plan.iterations, plan.evaluations, plan.cost});
+  }
+  return plan;
 }
 
 }  // namespace
 
 std::span<const ParameterSpec> grid_local_search_parameters() {
   static const std::array kSpecs{
-      ParameterSpec{"kick_cells", 30.0, 1.0, 1000.0, {}, "most cells of a section kicked", true}};
+      ParameterSpec{"kick_cells", 30.0, 1.0, 1000.0, {}, "most cells of a section kicked", true},
+      ParameterSpec{
+          "patience", 5.0, 1.0, 1e6, {}, "iterations without gain before it begins anew", true}};
   return kSpecs;
 }
 
 GridPlan plan_grid_local_search(const GridPlanRequest& request) {
-  OrderTask task(request);
+  OrderTask task(request, Tables::kLocalWhereLarge);
   GridSearch& search = task.search;
   const int kick_cells = static_cast<int>(number(request.parameters, "kick_cells"));
-  Descent descent = begun_descent(task);
-  note_cost(search, full_cost(task.cost, descent.order));
-  descend(descent);
-  search.evaluations = descent.evaluations;
-  double now = full_cost(task.cost, descent.order);
-  note_cost(search, now);
-  while (descent.places.end - descent.places.first > 1 && next_iteration(search)) {
-    for (int kicks = 0; kicks < task.problem.graph.size(); ++kicks) {
-      if (kicks % kKicksPerCheck == 0 && !goes_on(search)) break;
-      now += kick_and_descend(descent, kick_cells, task.random);
-      search.evaluations = descent.evaluations;
-      note_cost(search, now);
+  const int patience = static_cast<int>(number(request.parameters, "patience"));
+  Descent descent = descent_for(task);
+  set_order(descent, first_order(task));
+  std::vector<int> best = descent.order;
+  double best_cost = full_cost(task.cost, best);
+  note_cost(search, best_cost);
+  const bool can_change = descent.places.end - descent.places.first > 1;
+  while (can_change && goes_on(search)) {
+    descend(descent, search);
+    double now = full_cost(task.cost, descent.order);
+    search.evaluations = descent.evaluations;
+    note_cost(search, now);
+    for (int idle = 0; idle < patience && next_iteration(search); ++idle) {
+      if (improve_for_an_iteration(descent, task, kick_cells, now)) idle = 0;
     }
-    // Sums of changes are rounded.
-    now = full_cost(task.cost, descent.order);
+    if (now < best_cost - kNoChange) {
+      best = descent.order;
+      best_cost = now;
+    }
+    if (search.stopped_by) break;
+    set_order(descent, first_order(task));
   }
-  return finished_plan(task, "grid_local_search", descent.order);
+  search.evaluations = descent.evaluations;
+  GridPlan plan = finished_plan(task, "grid_local_search", best);
+  return is_local(task) ? better_of_local(task, std::move(plan)) : plan;
 }
 
 }  // namespace headland

@@ -82,7 +82,7 @@ TEST(GridDistances, AreRefusedAboveTheirLimit) {
   const GridGraph graph = grid_graph(free_grid_map(201, 100), "map.txt");
   EXPECT_EQ(headland::refusal([&] { distance_table(graph, "map.txt"); }),
             "map.txt: map: '20100 free cells': at most 20000 for this planner, which needs the "
-            "distances between all of them; grid_boustrophedon takes more");
+            "distances between all of them; grid_boustrophedon and grid_local_search take more");
 }
 
 TEST(GridGraph, RefusesCellsThatAreCutOff) {
