@@ -25,7 +25,6 @@ std::size_t near_entry(const GridGraph& graph, int from, int to) {
 }
 
 void fill_row(const GridGraph& graph, int start, std::vector<int>& queue, std::uint16_t* row) {
-  std::fill(row, row + graph.size(), kUnreached);
   int reached = 0;
   at(queue, reached++) = start;
   row[start] = 0;
@@ -72,10 +71,12 @@ DistanceTable distance_table(const GridGraph& graph, const std::string& source,
   DistanceTable table;
   table.nodes = graph.size();
   const std::size_t nodes = graph.cells.size();
-  table.steps.resize(nodes * nodes);
+  table.steps.reserve(nodes * nodes);
   std::vector<int> queue(nodes);
   for (int node = 0; node < table.nodes; ++node) {
     stop_if(cancelled);
+    // Row by row: to make all of a large table takes seconds in which nobody is asked.
+    table.steps.resize(table.steps.size() + nodes, kUnreached);
     fill_row(graph, node, queue, table.steps.data() + static_cast<std::size_t>(node) * nodes);
   }
   return table;

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "planner/grid_cost.h"
 #include "planner/grid_bound.h"
+#include "planner/grid_cost.h"
 #include "planner/order_walk.h"
 #include "terrains/grid_map_generator.h"
 #include "tests/planner/grid_examples.h"
@@ -131,7 +131,8 @@ TEST(Expanded, IsAsLongAsItsWays) {
   const std::vector<int> order = map.nodes_of({1, 8, 10, 6, 9, 7, 4, 3, 5});
   int steps = 0;
   for (std::size_t i = 1; i < order.size(); ++i) steps += map.table(order[i - 1], order[i]);
-  EXPECT_EQ(count_path(map.graph, expanded(order_cost(map.graph, map.table, {}), order)).steps, steps);
+  EXPECT_EQ(count_path(map.graph, expanded(order_cost(map.graph, map.table, {}), order)).steps,
+            steps);
 }
 
 // Cells by letters of a drawn path, walked from the south-west of a 3 x 3 map.

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -43,18 +45,29 @@ class EveryGridPlanner : public testing::TestWithParam<GridCase> {
   // The one that drives chromosomes as they are: its moves are not all steps.
   const bool jumps_ = planner_.name == "grid_ga";
 
-  // Every map, with both ends given and free.
+  // Every map, with both ends free, both given, and closed, from a cell given and from any.
   std::vector<GridPlanRequest> requests() const {
     std::vector<GridPlanRequest> requests;
     for (const GridMap& map : conformance_maps()) {
       GridPlanRequest request = grid_request(map, planner_);
       request.stop.iterations = 2;
+      request.stop.evaluations = 10000;
       request.cost.objective = std::get<1>(GetParam());
       requests.push_back(request);
       request.start = GridCell{0, map.rows - 1};
       request.end = GridCell{map.columns - 1, 0};
       requests.push_back(request);
+      request.end = request.start;
+      requests.push_back(request);
+      request.start = request.end = std::nullopt;
+      request.closed = true;
+      requests.push_back(request);
     }
+    // One end alone.
+    GridPlanRequest request = requests.back();
+    request.closed = false;
+    request.end = GridCell{request.map.columns - 1, 0};
+    requests.push_back(request);
     return requests;
   }
 };
@@ -83,6 +96,9 @@ TEST_P(EveryGridPlanner, VisitsEveryFreeCellByStepsAndKeepsItsEnds) {
     }
     if (request.end) {
       EXPECT_EQ(plan.cells.back(), *request.end);
+    }
+    if (request.closed) {
+      EXPECT_EQ(plan.cells.back(), plan.cells.front());
     }
   }
 }
@@ -161,8 +177,7 @@ TEST_P(GridRefusals, WhatCannotBePlanned) {
   request.start = GridCell{0, 0};
   request.end = GridCell{0, 1};
   request.closed = true;
-  EXPECT_EQ(said(request),
-            "grid plan: end: '0, 1': the start, 0, 0, or none: the tour is closed");
+  EXPECT_EQ(said(request), "grid plan: end: '0, 1': the start, 0, 0, or none: the tour is closed");
   request.start = request.end = std::nullopt;
   request.closed = false;
   request.stop.iterations = 0;
@@ -175,6 +190,39 @@ TEST_P(GridRefusals, WhatCannotBePlanned) {
   EXPECT_THAT(said(request), HasSubstr("heights: '1': 4 values"));
   request.map = free_grid_map(0, 0);
   EXPECT_THAT(said(request), HasSubstr("1 to 1000 columns and rows"));
+}
+
+TEST_P(GridRefusals, UselessParameters) {
+  GridPlanRequest request = grid_request(drawn_map("...\n...\n"), planner_);
+  request.cost.weights = {0.0, 0.0, 0.0};
+  EXPECT_THAT(said(request), HasSubstr("all are zero"));
+  for (const ParameterSpec& spec : planner_.parameters) {
+    if (spec.name != "population") continue;
+    EXPECT_THAT(
+        headland::refusal([&] {
+          resolve_parameters(planner_.parameters, {{"population", 1.0}}, "spec.yaml", "planner");
+        }),
+        HasSubstr("spec.yaml: planner.population: '1'"));
+  }
+}
+
+TEST_P(GridRefusals, AsksOftenWhetherToEnd) {
+  constexpr double kLongest_s = 0.4;  // 0.2 wanted; machines that test are slow and shared
+  GridPlanRequest request = grid_request(free_grid_map(60, 60), planner_);
+  const auto begun = std::chrono::steady_clock::now();
+  auto before = begun;
+  double longest_s = 0.0;
+  request.cancelled = [&] {
+    const auto now = std::chrono::steady_clock::now();
+    longest_s = std::max(longest_s, std::chrono::duration<double>(now - before).count());
+    before = now;
+    return now - begun > std::chrono::milliseconds(100);
+  };
+  try {
+    planner_.plan(request);
+  } catch (const Cancelled&) {
+  }
+  EXPECT_LT(longest_s, kLongest_s);
 }
 
 TEST_P(GridRefusals, EndsWhenAsked) {
@@ -271,6 +319,7 @@ TEST(GridGenetic, RefusesMoreElitesThanChromosomes) {
 // The shortest path that visits every cell of a map of up to 16, by breadth-first search over
 // (cells visited, where).
 int shortest_by_brute_force(const GridProblem& problem) {
+  if (problem.graph.size() == 1) return 0;
   const int nodes = problem.graph.size();
   const auto state = [nodes](std::uint32_t visited, int node) {
     return static_cast<std::size_t>(visited) * static_cast<std::size_t>(nodes) +
@@ -306,6 +355,7 @@ TEST(GridPlans, AreNotShorterThanTheShortest) {
     request.map = made_up_grid_map({4, 4, 0.2, 2, seed}, "test");
     if (seed % 2 == 0) request.start = GridCell{0, 3};
     if (seed % 3 == 0) request.end = GridCell{3, 0};
+    request.closed = seed % 4 == 0 && !request.end;
     request.stop.iterations = 40;
     const int shortest = shortest_by_brute_force(grid_problem(request));
     EXPECT_LE(least_steps(grid_problem(request)), shortest);
@@ -330,6 +380,41 @@ TEST(GridPlans, LocalSearchSolvesEnvironmentOne) {
   const GridPlan plan = plan_named("grid_local_search", request);
   EXPECT_EQ(plan.counts.steps, 358);
   EXPECT_EQ(plan.stopped_by, StopReason::kNothingBetter);
+}
+
+// Wu et al. 2023 with the weights 0.3 / 0.2 / 0.5: the optimum of both fields, proven by an integer
+// program.
+TEST(GridPlans, LocalSearchReachesProvenOptimaOfFields) {
+  for (const char* const name : {"field_A", "field_B"}) {
+    GridPlanRequest request = grid_request(example_map(name), "grid_local_search");
+    request.cost.objective = GridObjective::kWeighted;
+    request.stop.iterations = 4;
+    EXPECT_NEAR(plan_named("grid_local_search", request).cost, 4.4, kSumRounding) << name;
+  }
+}
+
+// More cells than tables of all distances are made for.
+TEST(GridPlans, LocalSearchTakesLargeMaps) {
+  GridPlanRequest request;
+  request.map = made_up_grid_map({160, 150, 0.1, 40, 5}, "test");
+  request.start = GridCell{0, 149};
+  ASSERT_GT(free_cell_count(request.map), kMaxTableNodes);
+  request.stop.iterations = 1;
+  request.stop.evaluations = 100000;
+  for (const bool closed : {false, true}) {
+    request.closed = closed;
+    const int by_rows = plan_named("grid_boustrophedon", request).counts.steps;
+    request.parameters =
+        resolve_parameters(find_grid_planner("grid_local_search", "test").parameters, {}, "", "");
+    const GridPlan plan = plan_named("grid_local_search", request);
+    EXPECT_EQ(plan.jumps, 0);
+    EXPECT_EQ(plan.counts.distinct_cells, free_cell_count(request.map));
+    EXPECT_EQ(plan.cells.front(), *request.start);
+    EXPECT_EQ(plan.cells.back() == plan.cells.front(), closed);
+    EXPECT_LT(plan.counts.steps, by_rows);
+    EXPECT_EQ(plan.convergence.back().cost, plan.cost);
+    request.parameters.clear();
+  }
 }
 
 // The paper prints 367.0 on its own map of these numbers after 600 iterations.
