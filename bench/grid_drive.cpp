@@ -43,6 +43,7 @@ constexpr std::array<Course, 5> kCourses = {{
 
 // Iterations: enough that the plans are typical of their planners, few enough for all rows.
 constexpr int kIterations = 100;
+constexpr int kLocalSearchIterations = 20;  // each is as many moves as there are cells
 
 struct Asked {
   double margin_m = -1.0;  // negative: what the vehicle turns on
@@ -64,7 +65,8 @@ nlohmann::ordered_json driven(const Course& course, const GridPlannerEntry& plan
                     vehicle.implement.working_width_m);
   request.cost.objective = course.objective;
   request.parameters = resolve_parameters(planner.parameters, {}, "grid_drive", "");
-  request.stop.iterations = kIterations;
+  request.stop.iterations =
+      planner.name == "grid_local_search" ? kLocalSearchIterations : kIterations;
   const PathOptions options;
   const double margin_m = asked.margin_m < 0.0 ? grid_margin_m(vehicle, options) : asked.margin_m;
   const Field field = field_of_grid(request.map, margin_m, "grid_drive");

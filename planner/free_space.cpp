@@ -192,8 +192,9 @@ FreeSpace free_space(const Field& field, const Hull& hull) {
 // The cell's centre is known to be in or out, and only the cell's edges can lie between.
 bool inside(const FreeSpace& space, const Vector2d& p_W) {
   const CellPlace place = place_of(space, p_W);
-  if ((p_W - place.centre_W).cwiseAbs().maxCoeff() > 0.5 * space.cell_m) return false;
   const Vector2d along = p_W - place.centre_W;
+  // Beyond all cells; on a border of two it may be a rounding outside either.
+  if (along.cwiseAbs().maxCoeff() > 0.5 * space.cell_m + kListed_m) return false;
   bool result = place.cell.edge_distance_m > 0.0F;
   for (const int index : place.cell.edges) {
     const FreeSpace::Edge& edge = space.edges[static_cast<std::size_t>(index)];

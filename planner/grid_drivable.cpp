@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -141,7 +142,9 @@ GridDrive make_grid_path(const Field& field, const Vehicle& vehicle, const GridM
   std::vector<WorkLine> lines;
   lines.reserve(runs.size());
   for (const GridRun& run : runs) lines.push_back(line_of(joining, run));
-  drive.path = join_lines(field, vehicle, space, lines, options, cancelled);
+  // Every way is known to be there, and is found again by as many nodes as it took.
+  const int nodes = options.allow_overrun ? kNodeBudget : std::numeric_limits<int>::max();
+  drive.path = join_lines(field, vehicle, space, lines, options, cancelled, nodes);
   tell_unworked(map, worked, hindrances, drive);
   return drive;
 }

@@ -32,6 +32,7 @@ inline constexpr double kUnworkedShare = 0.01;
 // down (work_runs), and joined to the next like the passes of any plan: by the cheapest of arcs,
 // U, omega and three-point turns that the hull has room for, else by a route around what is in the
 // way. These do not follow the plan's cells where there is a better way.
+// - Runs are entered straight for a metre where there is room, which makes their begin exact.
 // - The implement works behind the hull's front: facing what is blocked a run ends as far from it
 //   as the hull needs, and begins as far from what is behind it.
 // - Where no turn joins a run's end to the next run's begin, both are drawn back until one does, by

@@ -10,6 +10,9 @@ namespace {
 
 constexpr double kRoomStep_m = 0.05;
 constexpr double kDrawStep_m = 0.5;
+// A run is entered straight for this long before its begin: tracking errors of the turn fade, which
+// would leave slivers unworked beside it.
+constexpr double kSettling_m = 1.0;
 constexpr int kNodesPerWay = 6000;
 
 // B's pose when the implement is `at_m` along the run.
@@ -27,14 +30,16 @@ bool has_room(const GridJoining& joining, const Pose& pose) {
          fits(joining.space, {pose.p_W - clearance_W, pose.heading_rad}, -kFitTolerance_m);
 }
 
-// How far before its begin a run is entered so that the hull keeps the clearance, as far as there
-// is room.
-double narrow_run_in_m(const GridJoining& joining, const GridRun& run) {
-  const double most_m = joining.space.hull.front_m + joining.space.hull.rear_m;
+// How far before its begin a run is entered: from where the hull keeps the clearance, and by
+// kSettling_m more, as far as there is room.
+double settling_run_in_m(const GridJoining& joining, const GridRun& run) {
+  const double hull_m = joining.space.hull.front_m + joining.space.hull.rear_m;
   double run_in = 0.0;
-  while (run_in < most_m) {
+  double free_m = -kPathSpacing_m;  // of it with the clearance
+  while (free_m < kSettling_m && run_in < hull_m + kSettling_m) {
     const Pose pose = pose_at(joining, run, run.begin_m - run_in);
-    if (fits(joining.space, pose, joining.connection.clearance_m)) break;
+    if (fits(joining.space, pose, joining.connection.clearance_m)) free_m += kPathSpacing_m;
+    if (free_m >= kSettling_m) break;
     if (!has_room(joining, pose_at(joining, run, run.begin_m - run_in - kPathSpacing_m))) break;
     run_in += kPathSpacing_m;
   }
@@ -74,7 +79,7 @@ std::optional<GridRun> with_room(const GridJoining& joining, const GridRun& run)
     }
   }
   if (best.end_m - best.begin_m < kPathSpacing_m) return std::nullopt;
-  best.run_in_m = run_in > 0.0 ? run_in : narrow_run_in_m(joining, best);
+  best.run_in_m = run_in > 0.0 ? run_in : settling_run_in_m(joining, best);
   return best;
 }
 
@@ -89,7 +94,7 @@ Pose begin_of(const GridJoining& joining, const GridRun& run) {
 }
 
 Pose end_of(const GridJoining& joining, const GridRun& run) {
-  return pose_at(joining, run, run.end_m);
+  return pose_of(line_of(joining, run).points.back());
 }
 
 bool joined(GridJoining& joining, const GridRun& from, const GridRun& to) {

@@ -15,20 +15,22 @@ struct GridJoining {
   const Vehicle& vehicle;
   const FreeSpace& space;
   ConnectionOptions connection;
-  // Nodes of hybrid A* left for ways that are found, within what join_lines has for them, and for
-  // looking where there is none.
-  int found_nodes = 300000;
+  // Nodes of hybrid A* left for ways that are found, and for looking where there is none.
+  int found_nodes = 500000;
   int lost_nodes = 200000;
 };
 
 // The longest part of a run, at least kPathSpacing_m, that the hull has room for, with the
-// clearance ahead and behind; none when there is none.
+// clearance ahead and behind; none when there is none. With a run-in: what a trailed implement
+// needs, else a straight metre, and where walls are nearer than the clearance from before them, as
+// far as there is room.
 std::optional<GridRun> with_room(const GridJoining& joining, const GridRun& run);
 
 // The way of B's origin, with a run-in where the vehicle needs one.
 WorkLine line_of(const GridJoining& joining, const GridRun& run);
 
-// Where B's origin begins and ends.
+// Where B's origin begins and ends, to the bit as on the line: a search that just finds a way may
+// not from a place a rounding away.
 Pose begin_of(const GridJoining& joining, const GridRun& run);
 Pose end_of(const GridJoining& joining, const GridRun& run);
 

@@ -15,8 +15,6 @@
 namespace headland {
 namespace {
 
-// Nodes that all routes of one path may take together: bounds the time of hopeless fields.
-constexpr int kNodeBudget = 400000;
 // The entry is usually a gate in the boundary; the path begins where the hull fits near it.
 constexpr double kMaxEntryShift_m = 25.0;
 constexpr double kEntryRing_m = 0.5;
@@ -61,7 +59,7 @@ struct Joining {
   const FreeSpace& space;
   const CancelAsked& cancelled;
   double radius_m = 0.0;
-  int node_budget = kNodeBudget;
+  int node_budget = 0;
   int manoeuvre = 0;
   Path path{};
 };
@@ -305,8 +303,9 @@ TightestPlace tightest_place(const FreeSpace& space, const Path& path, double as
 
 Path join_lines(const Field& field, const Vehicle& vehicle, const FreeSpace& space,
                 const std::vector<WorkLine>& lines, const PathOptions& options,
-                const CancelAsked& cancelled) {
+                const CancelAsked& cancelled, int node_budget) {
   Joining joining{field, vehicle, lines, options, space, cancelled};
+  joining.node_budget = node_budget;
   joining.radius_m = planning_turning_radius_m(vehicle);
   if (field.entry_W) append_entry(joining, *field.entry_W);
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -20,10 +20,13 @@ inline constexpr double kTransitWidths = 4.0;
 // quotient on a smoothed line.
 inline constexpr double kCurvatureTolerance = 0.02;
 
+// Nodes that all routes of one path may take together: bounds the time of hopeless fields.
+inline constexpr int kNodeBudget = 400000;
+
 // At least one line. `space` is the field's for this vehicle. The implement is down on the lines
 // and up between them. Throws PlanInfeasible and Cancelled as make_path does.
 Path join_lines(const Field& field, const Vehicle& vehicle, const FreeSpace& space,
                 const std::vector<WorkLine>& lines, const PathOptions& options,
-                const CancelAsked& cancelled);
+                const CancelAsked& cancelled, int node_budget = kNodeBudget);
 
 }  // namespace headland

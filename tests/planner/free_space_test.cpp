@@ -144,6 +144,22 @@ TEST(FreeSpace, ThinHoleAcrossTheHullIsFound) {
   EXPECT_GT(overrun(space, over).depth_m, 0.5);
 }
 
+// Grid maps put hulls on the borders of the cells in which edges are listed.
+TEST(FreeSpace, PlacesOnBordersOfItsCellsAreInside) {
+  Field field;
+  field.boundary = {{-4.0, -4.0}, {20.0, -4.0}, {20.0, 22.0}, {-4.0, 22.0}};
+  const FreeSpace space = free_space(field, hull());
+  for (double x = -3.5; x < 20.0; x += space.cell_m) {
+    for (double y = -3.5; y < 22.0; y += space.cell_m) {
+      for (const double to : {-100.0, 100.0}) {
+        const Vector2d beside(std::nextafter(x, to), std::nextafter(y, to));
+        EXPECT_TRUE(inside(space, beside)) << x << ", " << y;
+      }
+    }
+  }
+  EXPECT_FALSE(inside(space, {20.1, 5.0}));
+}
+
 TEST(FreeSpace, RayMeetsTheFirstEdgeAhead) {
   Field field = square_field();
   field.holes.push_back({{20.0, 20.0}, {20.0, 30.0}, {30.0, 30.0}, {30.0, 20.0}});
