@@ -22,3 +22,5 @@ cp "$results/compare/convergence_field_B.png" docs/images/compare_convergence.pn
 build/headland audit examples/demo.yaml --path examples/straight_rows.csv -o "$results/audit" --quiet ||
   test $? = 1
 cp "$results/audit/audit.png" docs/images/
+build/headland evaluate examples/field_b.yaml -o "$results/grid" --quiet
+cp "$results/grid/field.png" docs/images/grid_drive.png
