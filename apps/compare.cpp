@@ -12,6 +12,7 @@
 #include "apps/progress.h"
 #include "apps/terminal_text.h"
 #include "evaluate/atomic_file.h"
+#include "evaluate/comparison_drive.h"
 #include "evaluate/comparison_file.h"
 #include "evaluate/comparison_reader.h"
 #include "render/gnuplot.h"
@@ -30,18 +31,28 @@ struct CompareCommand {
   std::string folder;
   std::optional<std::uint64_t> seed;
   int jobs = 1;
+  bool drive = false;
   bool json = false;
   bool quiet = false;
 };
 
+ComparisonOptions options_with(ProgressLine& line, const CompareCommand& command,
+                               const char* what) {
+  ComparisonOptions options;
+  options.jobs = command.jobs;
+  options.progress = [&line, what](int done, int all) { show_count(line, what, done, all); };
+  options.cancelled = interrupted;
+  return options;
+}
+
 std::vector<ComparedRun> run_with_progress(const Comparison& comparison,
                                            const CompareCommand& command) {
   ProgressLine line = start_progress(command.quiet);
-  ComparisonOptions options;
-  options.jobs = command.jobs;
-  options.progress = [&line](int done, int all) { show_count(line, "runs", done, all); };
-  options.cancelled = interrupted;
-  std::vector<ComparedRun> runs = run_comparison(comparison, options);
+  std::vector<ComparedRun> runs = run_comparison(comparison, options_with(line, command, "runs"));
+  end_progress(line);
+  if (!comparison.drive || interrupted()) return runs;
+  line = start_progress(command.quiet);
+  drive_best_plans(comparison, options_with(line, command, "drives"), runs);
   end_progress(line);
   return runs;
 }
@@ -54,6 +65,11 @@ int compare(const CompareCommand& command) {
   }
   check_output_folder(command.folder);
   Comparison comparison = read_comparison(command.spec, command.seed);
+  if (command.drive && !comparison.drive) {
+    throw InputError(command.spec, "drive", "",
+                     "the section is missing: --drive needs at least drive.vehicle");
+  }
+  if (!command.drive) comparison.drive.reset();
   require_gnuplot();
   const std::vector<ComparedRun> runs = run_with_progress(comparison, command);
   const ComparisonRanks ranks = rank_planners(comparison, runs);
@@ -85,10 +101,12 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   command->add_option("--seed", given->seed, "Seed of every random draw, instead of the file's")
       ->check(whole_number_fault);
   command->add_option("--jobs", given->jobs, "Runs at the same time")->capture_default_str();
+  command->add_flag("--drive", given->drive, "Drive the best plans in physics, as `drive` says");
   command->add_flag("--json", given->json, "Print compare.json, and nothing else");
   command->add_flag("--quiet,-q", given->quiet, "No progress and no summary");
   command->footer(
-      "Example:\n  headland compare examples/compare.yaml -o out/compare\n\n"
+      "Example:\n  headland compare examples/compare.yaml -o out/compare\n"
+      "  headland compare examples/compare.yaml --drive -o out/compare\n\n"
       "Writes compare.json, runs.csv, table.csv, and for each map plans_MAP.png,\n"
       "convergence_MAP.svg and plan_MAP_PLANNER.png.\n"
       "Exits with 0, 2 for bad input, 130 after Ctrl-C (finished runs are kept).");

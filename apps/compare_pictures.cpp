@@ -9,6 +9,7 @@
 #include "apps/interrupt.h"
 #include "evaluate/comparison_figures.h"
 #include "evaluate/comparison_reader.h"
+#include "evaluate/duration_text.h"
 #include "render/convergence_chart.h"
 #include "render/gnuplot.h"
 #include "render/grid_picture.h"
@@ -46,6 +47,13 @@ GridFigure figure_of(const std::string& label, const std::vector<const ComparedR
   }
   const GridPlan& plan = best->plan;
   figure.path = plan.cells;
+  if (best->driven && best->driven->refusal.empty()) {
+    const Metrics& driven = best->driven->metrics;
+    figure.lines.push_back(fmt::format("driven: {:.4g} Wh, {}, {:.1f} % covered, {}",
+                                       driven.energy_wh, duration_text(driven.time_s),
+                                       100.0 * driven.coverage_ratio,
+                                       grade_name(best->driven->verdict)));
+  }
   if (plan.jumps > 0) {
     figure.lines.push_back(counted(plan.jumps, "jump", "jumps") +
                            ", which nothing can drive; without them:");

@@ -100,6 +100,33 @@ std::string budget_remark(const Comparison& comparison, const std::string& label
                      figure.heading, budget);
 }
 
+// The best plans as they were driven.
+std::string drive_table(const Comparison& comparison, int m, const std::vector<ComparedRun>& runs) {
+  constexpr std::array<std::string_view, 6> kDriven = {
+      "driven_energy_wh",      "driven_time_s",        "driven_distance_m",
+      "driven_coverage_ratio", "driven_overlap_ratio", "driven_delta_soc"};
+  std::vector<Row> rows = {{"best plan, driven"}};
+  rows[0].insert(rows[0].end(), {"outcome", "verdict"});
+  for (const std::string_view key : kDriven) rows[0].emplace_back(figure_named(key).heading);
+  std::string remarks;
+  for (std::size_t p = 0; p < comparison.planners.size(); ++p) {
+    const std::string label = terminal_text(comparison.planners[p].label);
+    const ComparedRun* run = best_run(runs_of(runs, m, static_cast<int>(p)));
+    if (run == nullptr || !run->driven) continue;
+    if (!run->driven->refusal.empty()) {
+      remarks += fmt::format("  {} not driven: {}\n", label, terminal_text(run->driven->refusal));
+      continue;
+    }
+    Row row = {label, std::string(outcome_name(run->driven->outcome)),
+               std::string(grade_name(run->driven->verdict))};
+    for (const std::string_view key : kDriven) {
+      row.push_back(number_text(figure_named(key), figure_named(key).value(*run)));
+    }
+    rows.push_back(row);
+  }
+  return aligned(rows) + remarks;
+}
+
 std::string map_table(const Comparison& comparison, int m, const std::vector<ComparedRun>& runs) {
   const ComparedMap& map = comparison.maps[static_cast<std::size_t>(m)];
   std::string text =
@@ -125,7 +152,9 @@ std::string map_table(const Comparison& comparison, int m, const std::vector<Com
     }
     remarks += budget_remark(comparison, label, own);
   }
-  return text + aligned(rows) + remarks;
+  for (const std::string& note : map.notes) remarks += "  " + terminal_text(note) + "\n";
+  text += aligned(rows) + remarks;
+  return comparison.drive ? text + drive_table(comparison, m, runs) : text;
 }
 
 std::string p_text(double p) { return p < 0.0001 ? "< 0.0001" : fmt::format("{:.4f}", p); }

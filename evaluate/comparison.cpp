@@ -1,13 +1,8 @@
 #include "evaluate/comparison.h"
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
-#include <atomic>
 #include <chrono>
-#include <mutex>
 
+#include "evaluate/parallel_runs.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -110,25 +105,10 @@ std::vector<ComparedRun> run_comparison(const Comparison& comparison,
   std::vector<ComparedRun> runs = runs_to_do(comparison);
   const std::size_t repeats = static_cast<std::size_t>(comparison.repeats);
   const std::size_t pairs = runs.size() / repeats;
-  std::atomic<std::size_t> next = 0;
-  std::mutex mutex;
-  int done = 0;
-  const auto cancelled = [&] { return options.cancelled && options.cancelled(); };
-  // More threads than processors only when asked for.
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(options.jobs));
-  tbb::task_arena arena(options.jobs);
-  arena.execute([&] {
-    tbb::parallel_for(0, options.jobs, [&](int) {
-      for (std::size_t i = next++; i < runs.size(); i = next++) {
-        if (cancelled()) return;
-        ComparedRun& run = runs[i % pairs * repeats + i / pairs];
-        plan_run(comparison, cancelled, run);
-        const std::scoped_lock lock(mutex);
-        done += run.state == RunState::kNotRun ? 0 : 1;
-        if (options.progress) options.progress(done, static_cast<int>(runs.size()));
-      }
-    });
+  run_in_parallel(runs.size(), options, [&](std::size_t i, const CancelAsked& cancelled) {
+    ComparedRun& run = runs[i % pairs * repeats + i / pairs];
+    plan_run(comparison, cancelled, run);
+    return run.state != RunState::kNotRun;
   });
   return runs;
 }

@@ -9,8 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "evaluate/metrics.h"
+#include "evaluate/scenario.h"
+#include "evaluate/verdict.h"
 #include "planner/grid_plan.h"
 #include "planner/grid_planners.h"
+#include "sim/run_record.h"
 #include "terrains/grid_map.h"
 
 namespace headland {
@@ -20,6 +24,8 @@ struct ComparedMap {
   GridMap map;
   std::optional<GridCell> start;  // none: the planner chooses
   std::optional<GridCell> end;
+  std::optional<Field> field;      // the map was made of, its free cells to be worked
+  std::vector<std::string> notes;  // what of the field is left out
 };
 
 struct ComparedPlanner {
@@ -53,6 +59,7 @@ struct Comparison {
   GridCost cost;
   Budget budget = Budget::kNone;
   ComparisonTests tests;
+  std::optional<Scenario> drive;  // by what and over what plans are driven; without a field
 };
 
 enum class RunState {
@@ -61,6 +68,15 @@ enum class RunState {
   kNotRun    // the comparison was ended before
 };
 std::string_view run_state_name(RunState state);
+
+// A plan driven in physics.
+struct DrivenPlan {
+  std::string refusal;  // why it cannot be made drivable; nothing below is known then
+  Outcome outcome = Outcome::kFinished;
+  std::string outcome_detail;
+  Metrics metrics;
+  Grade verdict = Grade::kPass;
+};
 
 struct ComparedRun {
   int map = 0;
@@ -72,6 +88,7 @@ struct ComparedRun {
   int free_cells = 0;   // of the map
   GridPlan plan;        // of kPlanned
   double seconds = 0.0;
+  std::optional<DrivenPlan> driven;  // of the best of its planner and map, when asked for
 };
 
 // Seed of one run: it depends on what it is called with alone, so that other maps, planners and

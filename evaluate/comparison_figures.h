@@ -18,17 +18,21 @@ struct ComparedFigure {
   int decimals = 0;
   double scale = 1.0;  // of the summary's number: 100 for percent
   bool more_is_better = false;
-  bool same_with_any_jobs = true;  // false of what depends on the clock
+  bool driven = false;  // of the drive in physics, else of the plan
   double (*value)(const ComparedRun&);
 };
 
-std::span<const ComparedFigure> compared_figures();
+// Whether the run has this figure: it was planned and, for figures of the drive, driven.
+bool has_figure(const ComparedFigure& figure, const ComparedRun& run);
+
+// All of them; without those of drives when there is none.
+std::span<const ComparedFigure> compared_figures(bool with_drives);
 
 // Throws InputError(source, where) with the nearest name.
 const ComparedFigure& find_figure(std::string_view key, const std::string& source,
                                   const std::string& where);
 
-// Over the planned runs of one planner on one map.
+// Over the runs of one planner on one map that have the figure.
 struct Spread {
   int runs = 0;
   double mean = 0.0;
@@ -37,7 +41,7 @@ struct Spread {
   double worst = 0.0;
 };
 
-// nullopt when none is planned.
+// nullopt when none has it.
 std::optional<Spread> spread_of(const ComparedFigure& figure,
                                 const std::vector<const ComparedRun*>& runs);
 

@@ -28,6 +28,13 @@ const ComparedPlanner& planner_of(const Comparison& comparison, int planner) {
   return comparison.planners[static_cast<std::size_t>(planner)];
 }
 
+std::string drive_columns(const ComparedRun& run) {
+  if (!run.driven) return ",,,";
+  const DrivenPlan& driven = *run.driven;
+  if (!driven.refusal.empty()) return ",,," + csv_text(driven.refusal);
+  return fmt::format(",{},{},", outcome_name(driven.outcome), grade_name(driven.verdict));
+}
+
 // Calls `visit(map, planner, runs)` for every pair.
 template <typename Visit>
 void each_pair(const Comparison& comparison, const std::vector<ComparedRun>& runs, Visit visit) {
@@ -124,7 +131,7 @@ Json result_json(const Comparison& comparison, int map, int planner,
                  {"not_run", counts.not_run},
                  {"with_jumps", counts.with_jumps}}}};
   if (counts.refused > 0) json["refusal"] = counts.refusal;
-  for (const ComparedFigure& figure : compared_figures()) {
+  for (const ComparedFigure& figure : compared_figures(comparison.drive.has_value())) {
     const auto spread = spread_of(figure, runs);
     if (!spread) continue;
     json["figures"][std::string(figure.key)] = {{"mean", spread->mean},
@@ -139,6 +146,13 @@ Json result_json(const Comparison& comparison, int map, int planner,
   return json;
 }
 
+Json drive_json(const DrivenPlan& driven) {
+  if (!driven.refusal.empty()) return {{"refusal", driven.refusal}};
+  return {{"outcome", outcome_name(driven.outcome)},
+          {"outcome_detail", driven.outcome_detail},
+          {"verdict", grade_name(driven.verdict)}};
+}
+
 Json run_json(const Comparison& comparison, const ComparedRun& run) {
   Json json = {{"map", map_name(comparison, run.map)},
                {"planner", planner_of(comparison, run.planner).label},
@@ -147,9 +161,10 @@ Json run_json(const Comparison& comparison, const ComparedRun& run) {
                {"state", run_state_name(run.state)}};
   if (run.state == RunState::kRefused) json["refusal"] = run.refusal;
   if (run.state != RunState::kPlanned) return json;
-  for (const ComparedFigure& figure : compared_figures()) {
-    json["figures"][std::string(figure.key)] = figure.value(run);
+  for (const ComparedFigure& figure : compared_figures(comparison.drive.has_value())) {
+    if (has_figure(figure, run)) json["figures"][std::string(figure.key)] = figure.value(run);
   }
+  if (run.driven) json["drive"] = drive_json(*run.driven);
   json["stopped_by"] = stop_reason_name(run.plan.stopped_by);
   json["convergence"] = Json::array();
   for (const ConvergencePoint& point : run.plan.convergence) {
@@ -203,7 +218,9 @@ Json ranks_json(const Comparison& comparison, const ComparisonRanks& ranks) {
 std::string comparison_runs_csv(const Comparison& comparison,
                                 const std::vector<ComparedRun>& runs) {
   std::string text = "map,planner,repeat,seed,state,stopped_by,refusal";
-  for (const ComparedFigure& figure : compared_figures()) text += fmt::format(",{}", figure.key);
+  if (comparison.drive) text += ",outcome,verdict,drive_refusal";
+  for (const ComparedFigure& figure : compared_figures(comparison.drive.has_value()))
+    text += fmt::format(",{}", figure.key);
   text += "\n";
   for (const ComparedRun& run : runs) {
     const bool planned = run.state == RunState::kPlanned;
@@ -212,8 +229,9 @@ std::string comparison_runs_csv(const Comparison& comparison,
                     csv_text(planner_of(comparison, run.planner).label), run.repeat, run.seed,
                     run_state_name(run.state), planned ? stop_reason_name(run.plan.stopped_by) : "",
                     csv_text(run.refusal));
-    for (const ComparedFigure& figure : compared_figures()) {
-      text += planned ? fmt::format(",{}", figure.value(run)) : ",";
+    if (comparison.drive) text += drive_columns(run);
+    for (const ComparedFigure& figure : compared_figures(comparison.drive.has_value())) {
+      text += has_figure(figure, run) ? fmt::format(",{}", figure.value(run)) : ",";
     }
     text += "\n";
   }
@@ -223,7 +241,7 @@ std::string comparison_runs_csv(const Comparison& comparison,
 std::string comparison_table_csv(const Comparison& comparison,
                                  const std::vector<ComparedRun>& runs) {
   std::string text = "map,planner,asked,planned,refused,not_run,with_jumps";
-  for (const ComparedFigure& figure : compared_figures()) {
+  for (const ComparedFigure& figure : compared_figures(comparison.drive.has_value())) {
     text += fmt::format(",{0}_mean,{0}_sd,{0}_best,{0}_worst", figure.key);
   }
   text += "\n";
@@ -232,7 +250,7 @@ std::string comparison_table_csv(const Comparison& comparison,
     text += fmt::format("{},{},{},{},{},{},{}", csv_text(map_name(comparison, map)),
                         csv_text(planner_of(comparison, planner).label), counts.asked,
                         counts.planned, counts.refused, counts.not_run, counts.with_jumps);
-    for (const ComparedFigure& figure : compared_figures()) {
+    for (const ComparedFigure& figure : compared_figures(comparison.drive.has_value())) {
       const auto spread = spread_of(figure, own);
       text += spread ? fmt::format(",{},{},{},{}", spread->mean, spread->deviation, spread->best,
                                    spread->worst)

@@ -6,13 +6,12 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <utility>
 
+#include "evaluate/scenario_grid.h"
 #include "planner/grid_graph.h"
 #include "terrains/field_source.h"
 #include "terrains/grid_map_file.h"
-#include "terrains/grid_map_from_field.h"
 #include "terrains/grid_map_generator.h"
 #include "terrains/input_error.h"
 
@@ -30,12 +29,6 @@ const std::vector<std::string> kFieldKeys = {"file", "layer", "crs", "width_m", 
 
 constexpr NumberRange kCell{kMinGridCell_m, kMaxGridCell_m};
 
-constexpr std::array<std::pair<std::string_view, MapCorner>, 4> kCorners = {
-    {{"north_west", MapCorner::kNorthWest},
-     {"north_east", MapCorner::kNorthEast},
-     {"south_west", MapCorner::kSouthWest},
-     {"south_east", MapCorner::kSouthEast}}};
-
 bool has_key(const YamlSection& section, std::string_view key) {
   const YAML::Node node = section.node;
   return node[std::string(key)].IsDefined();
@@ -48,7 +41,7 @@ void refuse_key(const YamlSection& section, std::string_view key, const std::str
 }
 
 // Gives the map its ends and refuses what no planner could plan.
-void set_ends(const YamlSection& section, const MapEnds& defaults, ComparedMap& map) {
+void set_ends(const YamlSection& section, const MapDefaults& defaults, ComparedMap& map) {
   const auto own_start = read_corner(section, "start");
   const auto own_end = read_corner(section, "end");
   map.start = cell_of(own_start ? own_start : defaults.start, map.map);
@@ -68,7 +61,7 @@ void set_ends(const YamlSection& section, const MapEnds& defaults, ComparedMap& 
 }
 
 std::vector<ComparedMap> made_up_maps(const YamlSection& entry, const YamlSection& section,
-                                      std::uint64_t seed) {
+                                      double cell_m, std::uint64_t seed) {
   refuse_unknown_keys(section, kGeneratorKeys);
   GridMapRecipe recipe;
   recipe.columns = read_count(section, "columns", 1, kMaxGridSide).value_or(recipe.columns);
@@ -86,7 +79,7 @@ std::vector<ComparedMap> made_up_maps(const YamlSection& entry, const YamlSectio
     ComparedMap map;
     map.name = count ? fmt::format("{}_{}", name, i + 1) : name;
     map.map = made_up_grid_map(recipe, entry.source + ": " + place_of_itself(section));
-    map.map.cell_m = read_number(entry, "cell_m", kCell).value_or(map.map.cell_m);
+    map.map.cell_m = read_number(entry, "cell_m", kCell).value_or(cell_m);
     maps.push_back(std::move(map));
   }
   return maps;
@@ -107,80 +100,36 @@ ComparedMap map_of_field(const YamlSection& entry, const YamlSection& section,
   const double direction_deg = read_number(section, "direction_deg", {-360.0, 360.0}).value_or(0.0);
   ComparedMap map;
   map.name = read_word(entry, "name").value_or(source.file.stem().string());
-  map.map = grid_of_field(read_field(source, entry.source), *width_m,
-                          direction_deg * std::numbers::pi / 180.0,
-                          entry.source + ": " + place_of_itself(section))
-                .map;
+  map.field = read_field(source, entry.source);
+  map.map = take_grid_of(*map.field, *width_m, direction_deg,
+                         entry.source + ": " + place_of_itself(section), map.notes);
   return map;
 }
 
-ComparedMap map_of_file(const YamlSection& entry, std::string_view key, const fs::path& folder) {
+ComparedMap map_of_file(const YamlSection& entry, std::string_view key, const fs::path& folder,
+                        double default_cell_m) {
   const fs::path file = read_file_name(entry, key, folder);
-  const double cell_m = read_number(entry, "cell_m", kCell).value_or(1.0);
+  const double cell_m = read_number(entry, "cell_m", kCell).value_or(default_cell_m);
   ComparedMap map;
   map.name = read_word(entry, "name").value_or(file.stem().string());
   map.map = key == "file" ? read_grid_map(file, cell_m) : read_cell_list(file, cell_m);
   return map;
 }
 
-std::vector<ComparedMap> maps_of(const YamlSection& section, const fs::path& folder,
+std::vector<ComparedMap> maps_of(const YamlSection& section, const fs::path& folder, double cell_m,
                                  std::uint64_t seed) {
   const auto generator = read_section(section, "generator");
   const auto field = read_section(section, "field", "a section with file and width_m");
   if (!generator) refuse_key(section, "count", "a generator");
   if (field) refuse_key(section, "cell_m", "other maps: a field's cells are field.width_m wide");
-  if (generator) return made_up_maps(section, *generator, seed);
+  if (generator) return made_up_maps(section, *generator, cell_m, seed);
   if (field) return {map_of_field(section, *field, folder)};
-  return {map_of_file(section, has_key(section, "file") ? "file" : "cells", folder)};
+  return {map_of_file(section, has_key(section, "file") ? "file" : "cells", folder, cell_m)};
 }
 
 }  // namespace
 
-std::optional<GridCell> cell_of(const std::optional<GivenCell>& given, const GridMap& map) {
-  if (!given || std::holds_alternative<FreeChoice>(*given)) return std::nullopt;
-  if (const auto* cell = std::get_if<GridCell>(&*given)) return *cell;
-  const MapCorner corner = std::get<MapCorner>(*given);
-  const bool east = corner == MapCorner::kNorthEast || corner == MapCorner::kSouthEast;
-  const bool north = corner == MapCorner::kNorthWest || corner == MapCorner::kNorthEast;
-  return GridCell{east ? map.columns - 1 : 0, north ? map.rows - 1 : 0};
-}
-
-std::string given_cell_text(const GivenCell& given) {
-  if (std::holds_alternative<FreeChoice>(given)) return "free";
-  if (const auto* cell = std::get_if<GridCell>(&given)) {
-    return fmt::format("[{}, {}]", cell->column, cell->row);
-  }
-  const MapCorner corner = std::get<MapCorner>(given);
-  const auto* found = std::find_if(kCorners.begin(), kCorners.end(),
-                                   [&](const auto& named) { return named.second == corner; });
-  return std::string(found->first);
-}
-
-std::optional<GivenCell> read_corner(const YamlSection& section, std::string_view key) {
-  if (!has_key(section, key)) return std::nullopt;
-  const YAML::Node mapping = section.node;
-  const YAML::Node node = mapping[std::string(key)];
-  constexpr const char* kAllowed =
-      "[column, row] counted from 0 in the south-west, free, or a corner: north_west, north_east, "
-      "south_west, south_east";
-  if (node.IsSequence()) {
-    const Eigen::Vector2d point = read_point(section, key).value();
-    if (point.array().floor().matrix() != point || point.minCoeff() < 0.0 ||
-        point.maxCoeff() >= kMaxGridSide) {
-      throw InputError(section.source, place_of(section, key),
-                       fmt::format("[{}, {}]", point.x(), point.y()), kAllowed);
-    }
-    return GridCell{static_cast<int>(point.x()), static_cast<int>(point.y())};
-  }
-  const std::string word = read_word(section, key, kAllowed).value();
-  if (word == "free") return FreeChoice{};
-  for (const auto& [name, corner] : kCorners) {
-    if (name == word) return corner;
-  }
-  throw InputError(section.source, place_of(section, key), word, kAllowed);
-}
-
-std::vector<ComparedMap> read_compared_maps(const YamlSection& section, const MapEnds& ends,
+std::vector<ComparedMap> read_compared_maps(const YamlSection& section, const MapDefaults& defaults,
                                             std::uint64_t seed) {
   refuse_unknown_keys(section, kMapKeys);
   const auto sources = std::count_if(kSourceKeys.begin(), kSourceKeys.end(),
@@ -190,11 +139,11 @@ std::vector<ComparedMap> read_compared_maps(const YamlSection& section, const Ma
                      fmt::format("one of {} is needed, and no two", fmt::join(kSourceKeys, ", ")));
   }
   const fs::path folder = fs::absolute(section.source).parent_path();
-  std::vector<ComparedMap> maps = maps_of(section, folder, seed);
+  std::vector<ComparedMap> maps = maps_of(section, folder, defaults.cell_m, seed);
   const fs::path heights = read_file_name(section, "heights", folder);
   for (ComparedMap& map : maps) {
     if (!heights.empty()) read_cell_heights(heights, map.map);
-    set_ends(section, ends, map);
+    set_ends(section, defaults, map);
   }
   return maps;
 }

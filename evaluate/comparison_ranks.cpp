@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFailed = std::numeric_limits<double>::infinity();
 
-double rounded(double value) {
+double rounded_figure(double value) {
   if (value == 0.0 || !std::isfinite(value)) return value;
   const double digits_before = std::floor(std::log10(std::abs(value)));
   const double scale = std::pow(10.0, kFigureDigits - 1 - digits_before);
@@ -34,7 +34,7 @@ std::optional<double> block_figure(const ComparedFigure& figure,
     if (!failed(*run)) sum += figure.value(*run);
   }
   if (any_failed) return kFailed;
-  const double mean = rounded(sum / static_cast<double>(runs.size()));
+  const double mean = rounded_figure(sum / static_cast<double>(runs.size()));
   return figure.more_is_better ? -mean : mean;
 }
 

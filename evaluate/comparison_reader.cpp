@@ -20,8 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kTopKeys = {"name",     "seed", "repeats", "start",  "end",  "maps",
-                                           "planners", "cost", "stop",    "budget", "tests"};
+const std::vector<std::string> kTopKeys = {"name", "seed",   "repeats",  "start",
+                                           "end",  "maps",   "planners", "cost",
+                                           "stop", "budget", "tests",    "drive"};
 const std::vector<std::string> kPlannerKeys = {"name", "label", "stop"};
 const std::vector<std::string> kCostKeys = {"objective", "repeat", "turn", "u_turn", "tractor"};
 const std::vector<std::string> kStopKeys = {"iterations", "evaluations", "seconds", "stagnation"};
@@ -151,11 +152,12 @@ void read_planners(const YamlSection& top, Comparison& comparison) {
 }
 
 void read_maps(const YamlSection& top, Comparison& comparison) {
-  const MapEnds ends{read_corner(top, "start"), read_corner(top, "end")};
+  const MapDefaults defaults{read_corner(top, "start"), read_corner(top, "end"),
+                             comparison.drive ? comparison.drive->working_width_m : 1.0};
   std::vector<std::string> names;
   for (const YamlSection& section :
        read_sections(top, "maps").value_or(std::vector<YamlSection>{})) {
-    for (ComparedMap& map : read_compared_maps(section, ends, comparison.seed)) {
+    for (ComparedMap& map : read_compared_maps(section, defaults, comparison.seed)) {
       names.push_back(map.name);
       comparison.maps.push_back(std::move(map));
     }
@@ -173,7 +175,10 @@ void read_tests(const YamlSection& top, Comparison& comparison) {
   refuse_unknown_keys(*section, kTestKeys);
   ComparisonTests& tests = comparison.tests;
   tests.figure = read_word(*section, "figure").value_or(tests.figure);
-  find_figure(tests.figure, top.source, place_of(*section, "figure"));
+  if (find_figure(tests.figure, top.source, place_of(*section, "figure")).driven) {
+    throw InputError(top.source, place_of(*section, "figure"), tests.figure,
+                     "a figure of plans; only the best ones are driven");
+  }
   tests.blocks = std::array{BlockKind::kMaps,
                             BlockKind::kRuns}[read_choice(*section, "blocks", {"maps", "runs"})];
   tests.alpha = read_number(*section, "alpha", {0.001, 0.5}).value_or(tests.alpha);
@@ -247,6 +252,9 @@ Comparison read_comparison(const fs::path& file, std::optional<std::uint64_t> se
   comparison.seed = seed.value_or(comparison.seed);
   comparison.repeats = read_count(top, "repeats", 1, kMostRepeats).value_or(comparison.repeats);
   comparison.cost = read_grid_cost(top);
+  if (const auto drive = read_section(top, "drive")) {
+    comparison.drive = read_drive(*drive, comparison.seed);
+  }
   read_planners(top, comparison);
   read_tests(top, comparison);
   read_maps(top, comparison);

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "evaluate/comparison_maps.h"
+#include "evaluate/given_cell.h"
 #include "evaluate/yaml_section.h"
 #include "planner/grid_plan.h"
 #include "terrains/field.h"

@@ -291,6 +291,39 @@ void refuse_geojson(const YamlSection& top) {
                    "this is GeoJSON, not a scenario (YAML); name it in one as field.file");
 }
 
+// All that a scenario says but for its name, field and planner. `seed` replaces the terrain's too.
+Vehicle read_drive_keys(const YamlSection& top, const fs::path& folder,
+                        std::optional<std::uint64_t> seed, Scenario& scenario) {
+  read_terrain_source(top, folder, scenario);
+  if (seed) scenario.seed = scenario.terrain.seed = *seed;
+  scenario.soil = read_soil_source(top, folder);
+  scenario.vehicle = read_vehicle(top, folder);
+  Vehicle vehicle = load_vehicle(scenario.vehicle);
+  scenario.working_width_m = vehicle.implement.working_width_m;
+  numbers_section(top, "implement", scenario);
+  if (const auto path = numbers_section(top, "path", scenario)) {
+    scenario.path.allow_overrun =
+        read_flag(*path, "allow_overrun").value_or(scenario.path.allow_overrun);
+    // Whoever drives it will tell when it is gone: the results of a run outlive its track.
+    if (const auto name = read_word(*path, "file")) {
+      scenario.path_file = (folder / *name).lexically_normal();
+    }
+  }
+  if (const auto simulation = numbers_section(top, "simulation", scenario)) {
+    if (scenario.simulation.record_hz > scenario.simulation.rate_hz) {
+      throw InputError(
+          top.source, place_of(*simulation, "record_hz"),
+          fmt::format("{}", scenario.simulation.record_hz),
+          fmt::format("must not be above simulation.rate_hz, {}", scenario.simulation.rate_hz));
+    }
+  }
+  numbers_section(top, "positioning", scenario);
+  scenario.simulation.positioning.seed = scenario.seed;
+  numbers_section(top, "coverage", scenario);
+  read_verdict(top, scenario);
+  return vehicle;
+}
+
 }  // namespace
 
 Scenario read_scenario(const fs::path& file, std::optional<std::uint64_t> seed) {
@@ -305,36 +338,28 @@ Scenario read_scenario(const fs::path& file, std::optional<std::uint64_t> seed) 
   scenario.name = read_word(top, "name").value_or(file.stem().string());
   scenario.seed = read_whole_number(top, "seed").value_or(scenario.seed);
   scenario.field = read_field_source(top, folder);
-  read_terrain_source(top, folder, scenario);
-  if (seed) scenario.seed = scenario.terrain.seed = *seed;
-  scenario.soil = read_soil_source(top, folder);
-  scenario.vehicle = read_vehicle(top, folder);
-  const Vehicle vehicle = load_vehicle(scenario.vehicle);
-  scenario.working_width_m = vehicle.implement.working_width_m;
-  numbers_section(top, "implement", scenario);
+  const Vehicle vehicle = read_drive_keys(top, folder, seed, scenario);
   scenario.planner = read_planner(top);
-  if (const auto path = numbers_section(top, "path", scenario)) {
-    scenario.path.allow_overrun =
-        read_flag(*path, "allow_overrun").value_or(scenario.path.allow_overrun);
-    // Whoever drives it will tell when it is gone: the results of a run outlive its track.
-    if (const auto name = read_word(*path, "file")) {
-      scenario.path_file = (folder / *name).lexically_normal();
-    }
-  }
   read_grid_map_numbers(top, vehicle, scenario);
-  if (const auto simulation = numbers_section(top, "simulation", scenario)) {
-    if (scenario.simulation.record_hz > scenario.simulation.rate_hz) {
-      throw InputError(
-          top.source, place_of(*simulation, "record_hz"),
-          fmt::format("{}", scenario.simulation.record_hz),
-          fmt::format("must not be above simulation.rate_hz, {}", scenario.simulation.rate_hz));
-    }
-  }
-  numbers_section(top, "positioning", scenario);
-  scenario.simulation.positioning.seed = scenario.seed;
-  numbers_section(top, "coverage", scenario);
-  read_verdict(top, scenario);
   return scenario;
+}
+
+Scenario read_drive(const YamlSection& section, std::uint64_t seed) {
+  // Its keys are those of a scenario.
+  const YamlSection top{section.source, "", section.node};
+  std::vector<std::string> known = keys_in_section("");
+  std::erase_if(known, [](const std::string& key) {
+    return key == "name" || key == "seed" || key == "field" || key == "planner";
+  });
+  refuse_unknown_keys(top, known);
+  const fs::path file(section.source);
+  Scenario scenario;
+  scenario.file = file;
+  scenario.seed = seed;
+  read_drive_keys(top, fs::absolute(file).parent_path(), std::nullopt, scenario);
+  if (scenario.path_file.empty()) return scenario;
+  throw InputError(section.source, place_of_itself(section), "path.file",
+                   "plans are driven here, no track");
 }
 
 }  // namespace headland

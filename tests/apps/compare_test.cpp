@@ -61,7 +61,7 @@ TEST_F(CompareTest, CtrlCKeepsTheRunsThatAreDone) {
         "repeats: 1\nmaps: [{generator: {columns: 12, rows: 12}}]\nbudget: {seconds: 60}\n"
         "planners: [{name: grid_boustrophedon, label: rows}, {name: grid_iga}]\n");
   // Signals go to the command alone, not to the shell around it.
-  const CommandResult result = headland("compare compare.yaml -o DIR --jobs 1", "timeout -s INT 2");
+  const CommandResult result = headland("compare compare.yaml -o DIR --jobs 1", "timeout -s INT 4");
   EXPECT_EQ(result.exit_code, 124) << result.err;  // of timeout itself
   EXPECT_THAT(result.err, HasSubstr("headland: interrupted"));
   const auto json = nlohmann::json::parse(text_of(folder_ / "DIR" / "compare.json"));

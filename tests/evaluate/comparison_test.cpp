@@ -391,6 +391,11 @@ TEST_F(ComparisonFile, RefusesPlannersAndTestsThatAreNone) {
   EXPECT_THAT(refused(both + "tests: {figure: costs}\n"),
               HasSubstr("tests.figure: 'costs': unknown figure; the nearest is cost"));
   EXPECT_THAT(refused(both + "tests: {blocks: map}\n"), HasSubstr("did you mean 'maps'?"));
+  EXPECT_THAT(refused(both + "tests: {figure: driven_time_s}\n"),
+              HasSubstr("'driven_time_s': a figure of plans; only the best ones are driven"));
+  EXPECT_THAT(refused(both + "drive: {soil: firm}\n"), HasSubstr("vehicle: the key is missing"));
+  EXPECT_THAT(refused(both + "drive: {vehicle: transplanter, planner: {}}\n"),
+              HasSubstr("line 3: planner: unknown key"));
   EXPECT_THAT(refused(both + "tests: {alpha: 2}\n"), HasSubstr("from 0.001 to 0.5"));
 }
 
@@ -420,7 +425,7 @@ TEST(ComparisonFileDocs, NameEveryKeyAndFigure) {
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   for (const std::string& key : comparison_key_paths())
     EXPECT_THAT(text, HasSubstr("`" + key + "`"));
-  for (const ComparedFigure& figure : compared_figures()) {
+  for (const ComparedFigure& figure : compared_figures(true)) {
     EXPECT_THAT(text, HasSubstr("`" + std::string(figure.key) + "`"));
   }
 }
