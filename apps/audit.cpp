@@ -1,7 +1,7 @@
 // headland audit: tells what is wrong with a path before anything drives it.
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -25,6 +25,8 @@ namespace fs = std::filesystem;
 
 constexpr double kLeastWidth_m = 0.05;
 constexpr double kLargestWidth_m = 100.0;
+constexpr double kLeastCell_m = 0.02;
+constexpr double kCellsPerWidth = 0.5;  // larger cells hide what the implement misses
 constexpr char kAuditFile[] = "audit.json";
 constexpr char kAuditPicture[] = "audit.png";
 
@@ -35,7 +37,7 @@ struct AuditOptions {
   std::string path;
   std::string vehicle;
   std::optional<double> width_m;
-  double cell_m = 0.25;
+  std::optional<double> cell_m;
 };
 
 struct AuditInput {
@@ -50,6 +52,9 @@ AuditInput input_of(const AuditOptions& options) {
   if (scenario_file.empty() == options.field.empty()) {
     throw InputError("--field", "", options.field,
                      "give either a scenario or a field with --field FILE and --vehicle NAME");
+  }
+  if (!scenario_file.empty() && !options.field_crs.empty()) {
+    throw InputError("--crs", "", options.field_crs, "goes with --field; a scenario has field.crs");
   }
   if (!scenario_file.empty()) {
     const Scenario scenario = read_scenario(scenario_file);
@@ -69,11 +74,6 @@ AuditInput input_of(const AuditOptions& options) {
     source.crs = options.field_crs;
     input.field = read_field(source, options.field);
     input.vehicle = load_vehicle(options.vehicle);
-    input.cell_m = options.cell_m;
-    if (!(input.cell_m >= kLeastWidth_m && input.cell_m <= kLargestWidth_m)) {
-      throw InputError("--cell", "", fmt::format("{}", input.cell_m),
-                       fmt::format("from {} to {} m", kLeastWidth_m, kLargestWidth_m));
-    }
   }
   if (options.width_m) {
     if (!(*options.width_m >= kLeastWidth_m && *options.width_m <= kLargestWidth_m)) {
@@ -81,6 +81,13 @@ AuditInput input_of(const AuditOptions& options) {
                        fmt::format("from {} to {} m", kLeastWidth_m, kLargestWidth_m));
     }
     input.vehicle.implement.working_width_m = *options.width_m;
+  }
+  const double width_m = input.vehicle.implement.working_width_m;
+  input.cell_m = options.cell_m.value_or(std::min(input.cell_m, kCellsPerWidth * width_m));
+  if (!(input.cell_m >= kLeastCell_m && input.cell_m <= kCellsPerWidth * width_m)) {
+    throw InputError("--cell", "", fmt::format("{}", input.cell_m),
+                     fmt::format("from {} m to half the working width, {:g} m", kLeastCell_m,
+                                 kCellsPerWidth * width_m));
   }
   return input;
 }
@@ -135,7 +142,7 @@ int run_audit(const AuditOptions& options) {
   const AuditInput input = input_of(options);
   check_coverage_size(input.field, input.vehicle.implement.working_width_m, input.cell_m, "--cell");
   const std::vector<PathLine> lines = read_path_lines(options.path, input.field);
-  const Audit audit = audit_path(input.field, input.vehicle, lines, input.cell_m);
+  const Audit audit = audit_path(input.field, input.vehicle, lines, input.cell_m, options.path);
   const nlohmann::ordered_json json =
       audit_json(audit, input.field, input.vehicle, fs::path(options.path).filename().string(),
                  HEADLAND_VERSION);
@@ -172,8 +179,8 @@ void add_audit_command(CLI::App& app, int& exit_code) {
   command->add_option("--vehicle", options->vehicle, "Name of a built-in vehicle, or its folder");
   command->add_option("--width", options->width_m,
                       "Working width in metres (default: of the vehicle's implement)");
-  command->add_option("--cell", options->cell_m, "Cell of the coverage raster in metres")
-      ->capture_default_str();
+  command->add_option("--cell", options->cell_m,
+                      "Cell of the coverage raster in metres (default: the scenario's, or 0.25)");
   command->add_option("-o,--output", options->common.folder,
                       "Folder for audit.json and audit.png (default: none)");
   add_size_option(*command, options->common);

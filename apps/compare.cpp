@@ -47,12 +47,15 @@ ComparisonOptions options_with(ProgressLine& line, const CompareCommand& command
 
 std::vector<ComparedRun> run_with_progress(const Comparison& comparison,
                                            const CompareCommand& command) {
+  // Before any run: what cannot be driven on is refused while nothing is lost by it.
+  std::vector<Stage> stages;
+  if (comparison.drive) stages = drive_stages(comparison);
   ProgressLine line = start_progress(command.quiet);
   std::vector<ComparedRun> runs = run_comparison(comparison, options_with(line, command, "runs"));
   end_progress(line);
   if (!comparison.drive || interrupted()) return runs;
   line = start_progress(command.quiet);
-  drive_best_plans(comparison, options_with(line, command, "drives"), runs);
+  drive_best_plans(comparison, stages, options_with(line, command, "drives"), runs);
   end_progress(line);
   return runs;
 }
@@ -73,12 +76,20 @@ int compare(const CompareCommand& command) {
   require_gnuplot();
   const std::vector<ComparedRun> runs = run_with_progress(comparison, command);
   const ComparisonRanks ranks = rank_planners(comparison, runs);
-  const nlohmann::ordered_json json = comparison_json(comparison, runs, ranks, HEADLAND_VERSION);
-  write_together(command.folder, {{kJsonFile, json_text(json, 1) + "\n"},
-                                  {kRunsFile, comparison_runs_csv(comparison, runs)},
-                                  {kTableFile, comparison_table_csv(comparison, runs)}});
-  remove_comparison_pictures(command.folder);
-  if (!interrupted()) write_together(command.folder, comparison_pictures(comparison, runs));
+  nlohmann::ordered_json json = comparison_json(comparison, runs, ranks, HEADLAND_VERSION);
+  const std::filesystem::path folder = command.folder;
+  const std::vector<std::filesystem::path> outdated = earlier_pictures(folder / kJsonFile);
+  // The tables first: pictures that cannot be drawn cost nobody a run.
+  write_together(folder, {{kJsonFile, json_text(json, 1) + "\n"},
+                          {kRunsFile, comparison_runs_csv(comparison, runs)},
+                          {kTableFile, comparison_table_csv(comparison, runs)}});
+  for (const std::filesystem::path& picture : outdated) std::filesystem::remove(picture);
+  if (!interrupted()) {
+    std::vector<FileText> files = comparison_pictures(comparison, runs);
+    for (const FileText& file : files) json["pictures"].push_back(file.name);
+    files.push_back({kJsonFile, json_text(json, 1) + "\n"});
+    write_together(folder, files);
+  }
   if (command.json) {
     fmt::print("{}\n", json_text(json, 1));
   } else if (!command.quiet) {

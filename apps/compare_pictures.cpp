@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <system_error>
 
 #include "apps/interrupt.h"
 #include "evaluate/comparison_figures.h"
@@ -13,6 +12,8 @@
 #include "render/convergence_chart.h"
 #include "render/gnuplot.h"
 #include "render/grid_picture.h"
+#include "terrains/input_error.h"
+#include "terrains/json_text.h"
 
 namespace headland {
 namespace {
@@ -98,6 +99,11 @@ std::vector<FileText> comparison_pictures(const Comparison& comparison,
       alone.title = fmt::format("{}: {}", map.name, label);
       files.push_back(
           {file_name(kPlan, map.name + "_" + label), png_of(draw_grid_plan(map.map, alone))});
+      // Maps and labels that differ may join to the same name.
+      const auto same = [&](const FileText& file) { return file.name == files.back().name; };
+      for (int other = 2; std::count_if(files.begin(), files.end(), same) > 1; ++other) {
+        files.back().name = file_name(kPlan, fmt::format("{}_{}_{}", map.name, label, other));
+      }
     }
     files.push_back(
         {file_name(kSheet, map.name), png_of(draw_grid_sheet(map.map, map.name, figures))});
@@ -115,18 +121,21 @@ std::vector<FileText> comparison_pictures(const Comparison& comparison,
   return files;
 }
 
-void remove_comparison_pictures(const fs::path& folder) {
-  std::error_code ignored;
-  std::vector<fs::path> found;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename().string();
-    for (const PictureName& kind : {kChart, kChartImage, kSheet, kPlan}) {
-      if (name.starts_with(kind.prefix) && name.ends_with(kind.ending)) {
-        found.push_back(entry.path());
-      }
+std::vector<fs::path> earlier_pictures(const fs::path& compare_json) {
+  std::vector<fs::path> pictures;
+  if (!fs::is_regular_file(compare_json)) return pictures;
+  try {
+    const nlohmann::ordered_json earlier = parse_json(compare_json);
+    for (const auto& entry : earlier.at("pictures")) {
+      const fs::path name = entry.get<std::string>();
+      const bool picture = name.extension() == ".png" || name.extension() == ".svg";
+      if (picture && name == name.filename()) pictures.push_back(compare_json.parent_path() / name);
     }
+  } catch (const InputError&) {
+    // Not a comparison's: nothing is known of pictures.
+  } catch (const nlohmann::json::exception&) {
   }
-  for (const fs::path& file : found) fs::remove(file, ignored);
+  return pictures;
 }
 
 }  // namespace headland

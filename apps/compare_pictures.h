@@ -16,8 +16,8 @@ namespace headland {
 std::vector<FileText> comparison_pictures(const Comparison& comparison,
                                           const std::vector<ComparedRun>& runs);
 
-// Removes the pictures that an earlier comparison left in `folder`: it may have had other maps and
-// planners.
-void remove_comparison_pictures(const std::filesystem::path& folder);
+// The pictures that an earlier comparison left beside its compare.json, which names them; none when
+// there is no such file. It may have had other maps and planners.
+std::vector<std::filesystem::path> earlier_pictures(const std::filesystem::path& compare_json);
 
 }  // namespace headland

@@ -162,11 +162,14 @@ void gather(std::vector<Finding> findings, Audit& audit) {
   std::ranges::stable_sort(findings, {}, [](const Finding& finding) {
     return std::pair(finding.fault, finding.along_m);
   });
+  // Between one finding's length, after which the next one follows, and two, after a state without.
+  constexpr double kFollowing = 1.5;
   const Finding* before = nullptr;
   for (const Finding& finding : findings) {
     AuditTotals& totals = audit.totals[static_cast<std::size_t>(finding.fault)];
     const bool same = before != nullptr && before->fault == finding.fault &&
-                      finding.along_m <= before->along_m + before->length_m + finding.length_m;
+                      finding.along_m - before->along_m <=
+                          kFollowing * std::max(before->length_m, finding.length_m);
     if (!same) {
       audit.places.push_back({finding.fault, finding.p_W, finding.along_m, 0.0, 0, finding.value});
       ++totals.places;
@@ -229,7 +232,7 @@ std::string_view audit_fault_name(AuditFault fault) {
 }
 
 Audit audit_path(const Field& field, const Vehicle& vehicle, const std::vector<PathLine>& lines,
-                 double coverage_cell_m) {
+                 double coverage_cell_m, const std::string& source) {
   const bool pivots = vehicle.steering.kind == SteeringKind::kSkid;
   const double least_radius_m = pivots ? 0.0 : min_turning_radius_m(vehicle);
   Audit audit;
@@ -246,7 +249,7 @@ Audit audit_path(const Field& field, const Vehicle& vehicle, const std::vector<P
     end = &stretch.back();
   }
   if (states.empty()) {
-    throw InputError("path", "", "", "has no two points that are apart: there is nothing to audit");
+    throw InputError(source, "", "", "has no two points that are apart: there is nothing to audit");
   }
   audit.states = states.size();
   find_overruns(field, vehicle, states, findings);

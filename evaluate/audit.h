@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -67,7 +68,7 @@ struct Audit {
 // implement.x_B_m. Field and vehicle decide the answer, not who made the path. Throws InputError as
 // measure_coverage does, and for lines without length.
 Audit audit_path(const Field& field, const Vehicle& vehicle, const std::vector<PathLine>& lines,
-                 double coverage_cell_m);
+                 double coverage_cell_m, const std::string& source = "path");
 
 inline constexpr double kGearChange_rad = 2.356;  // 135 deg
 inline constexpr double kLongestReverse_m = 30.0;

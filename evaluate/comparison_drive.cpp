@@ -6,18 +6,16 @@
 #include "sim/simulation.h"
 #include "terrains/grid_field.h"
 #include "terrains/input_error.h"
-#include "vehicle_models/vehicle_loader.h"
 
 namespace headland {
 namespace {
 
 // What a map is driven on.
 Stage stage_of(const Comparison& comparison, const ComparedMap& map) {
-  Scenario scenario = *comparison.drive;
+  const Scenario& scenario = *comparison.drive;
   const std::string source = comparison.file.string();
   Stage stage;
-  stage.vehicle = load_vehicle(scenario.vehicle);
-  stage.vehicle.implement.working_width_m = scenario.working_width_m;
+  stage.vehicle = vehicle_of(scenario, source);
   stage.field = map.field ? *map.field
                           : field_of_grid(map.map, grid_margin_m(stage.vehicle, scenario.path),
                                           source + ": drive");
@@ -63,11 +61,15 @@ std::optional<DrivenPlan> driven_plan(const Scenario& scenario, const Stage& sta
 
 }  // namespace
 
-void drive_best_plans(const Comparison& comparison, const ComparisonOptions& options,
-                      std::vector<ComparedRun>& runs) {
+std::vector<Stage> drive_stages(const Comparison& comparison) {
   std::vector<Stage> stages;
   stages.reserve(comparison.maps.size());
   for (const ComparedMap& map : comparison.maps) stages.push_back(stage_of(comparison, map));
+  return stages;
+}
+
+void drive_best_plans(const Comparison& comparison, const std::vector<Stage>& stages,
+                      const ComparisonOptions& options, std::vector<ComparedRun>& runs) {
   std::vector<ComparedRun*> best;
   for (int m = 0; m < static_cast<int>(comparison.maps.size()); ++m) {
     for (int p = 0; p < static_cast<int>(comparison.planners.size()); ++p) {

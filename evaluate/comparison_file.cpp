@@ -109,6 +109,18 @@ Json asked_json(const Comparison& comparison) {
                             {"start", map.start ? cell_json(*map.start) : Json("free")},
                             {"end", map.end ? cell_json(*map.end) : Json("free")}});
   }
+  if (comparison.drive) {
+    const Scenario& drive = *comparison.drive;
+    json["drive"] = {
+        {"vehicle", drive.vehicle},
+        {"working_width_m", drive.working_width_m},
+        {"soil", soil_text(drive.soil)},
+        {"terrain", drive.terrain.file.empty() ? drive.terrain.generator
+                                               : drive.terrain.file.filename().string()},
+        {"terrain_seed", drive.terrain.seed},
+        {"rate_hz", drive.simulation.rate_hz},
+        {"clearance_m", drive.path.clearance_m}};
+  }
   for (const ComparedPlanner& planner : comparison.planners) {
     json["planners"].push_back({{"label", planner.label},
                                 {"name", planner.name},

@@ -86,6 +86,8 @@ void test_pairs(const Comparison& comparison, ComparisonRanks& ranks) {
     }
     return figures;
   };
+  const bool more_is_better =
+      find_figure(comparison.tests.figure, comparison.file.string(), "tests.figure").more_is_better;
   std::vector<double> p;
   for (int first = 0; first < planners; ++first) {
     for (int second = 0; second < planners; ++second) {
@@ -93,6 +95,9 @@ void test_pairs(const Comparison& comparison, ComparisonRanks& ranks) {
           ranks.control < 0 ? first < second : first == ranks.control && second != first;
       if (!wanted) continue;
       ranks.pairs.push_back({first, second, wilcoxon_test(column(first), column(second)), 1.0});
+      // The blocks have the figure negated.
+      double& difference = ranks.pairs.back().test.median_difference;
+      if (more_is_better && difference != 0.0) difference = -difference;
       p.push_back(ranks.pairs.back().test.p);
     }
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -117,6 +118,13 @@ void refuse_repeated(const YamlSection& top, std::string_view list, const std::s
                      const std::vector<std::string>& names) {
   std::set<std::string> seen;
   for (const std::string& name : names) {
+    constexpr std::size_t kLongest = 80;
+    const bool plain = std::ranges::none_of(
+        name, [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; });
+    if (name.size() > kLongest || !plain) {
+      throw InputError(top.source, place_of(top, list), name,
+                       fmt::format("a {} has at most {} characters, all printable", key, kLongest));
+    }
     if (name_in_files(name).find_first_not_of("._") == std::string::npos) {
       throw InputError(top.source, place_of(top, list), name,
                        fmt::format("a {} with a letter or a digit is needed", key));

@@ -26,8 +26,25 @@ double tie_term(std::vector<double> figures) {
   return sum;
 }
 
-// Differences of which neither is NaN: two failures are alike.
-double difference(double first, double second) { return first == second ? 0.0 : first - second; }
+// Differences in whole steps of `step`, so that equal ones of figures that are sums of weights tie
+// whatever their rounding. Neither is NaN; two failures are alike.
+double difference(double first, double second, double step) {
+  if (first == second) return 0.0;
+  const double apart = first - second;
+  return std::isfinite(apart) ? step * std::round(apart / step) : apart;
+}
+
+// What the figures' twelfth digit stands for.
+double rounding_step(std::span<const double> first, std::span<const double> second) {
+  double largest = 0.0;
+  for (const std::span<const double> figures : {first, second}) {
+    for (const double figure : figures) {
+      if (std::isfinite(figure)) largest = std::max(largest, std::abs(figure));
+    }
+  }
+  constexpr double kDigits = 11.0;
+  return largest > 0.0 ? std::pow(10.0, std::floor(std::log10(largest)) - kDigits) : 1.0;
+}
 
 double median(std::vector<double> values) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -139,8 +156,9 @@ WilcoxonTest wilcoxon_test(std::span<const double> first, std::span<const double
   WilcoxonTest test;
   std::vector<double> differences;
   std::vector<double> sizes;
+  const double step = rounding_step(first, second);
   for (std::size_t i = 0; i < first.size(); ++i) {
-    differences.push_back(difference(first[i], second[i]));
+    differences.push_back(difference(first[i], second[i], step));
     sizes.push_back(std::abs(differences.back()));
   }
   const std::vector<double> ranks = ranks_of(sizes);

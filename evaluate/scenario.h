@@ -68,6 +68,10 @@ struct Stage {
   std::vector<std::string> notes;  // for people: where a default stands in for data
 };
 
+// The scenario's vehicle with its working width. Throws InputError as load_vehicle and
+// check_vehicle do, and for a battery that is empty at the start.
+Vehicle vehicle_of(const Scenario& scenario, const std::string& source);
+
 // Of planners on grid maps the field's map is read, or made of cells as wide as the working width;
 // what of the field is no free cell is not to be worked then. Throws InputError as read_field,
 // read_terrain, read_soil, load_vehicle, grid_of_field and grid_graph do, and for a start or end

@@ -39,6 +39,20 @@ void load_grid(const Scenario& scenario, Stage& stage) {
 
 }  // namespace
 
+Vehicle vehicle_of(const Scenario& scenario, const std::string& source) {
+  Vehicle vehicle = load_vehicle(scenario.vehicle);
+  vehicle.implement.working_width_m = scenario.working_width_m;
+  check_vehicle(vehicle, source);  // draft goes with the width
+  const double empty_soc = vehicle.battery.empty_soc;
+  if (scenario.simulation.soc_start <= empty_soc) {
+    throw InputError(source, "simulation.soc_start",
+                     fmt::format("{:g}", scenario.simulation.soc_start),
+                     fmt::format("more than {:g}, at which the battery of {} is empty", empty_soc,
+                                 vehicle.name));
+  }
+  return vehicle;
+}
+
 Stage load_stage(const Scenario& scenario) {
   const std::string source = scenario.file.string();
   Stage stage;
@@ -55,16 +69,7 @@ Stage load_stage(const Scenario& scenario) {
         fmt::format("soil: {} says nothing about {:.3g} % of the field; {} holds there",
                     soil_text(scenario.soil), 100.0 * soil.default_ratio, scenario.soil.soil.name));
   }
-  stage.vehicle = load_vehicle(scenario.vehicle);
-  stage.vehicle.implement.working_width_m = scenario.working_width_m;
-  check_vehicle(stage.vehicle, source);  // draft goes with the width
-  const double empty_soc = stage.vehicle.battery.empty_soc;
-  if (scenario.simulation.soc_start <= empty_soc) {
-    throw InputError(source, "simulation.soc_start",
-                     fmt::format("{:g}", scenario.simulation.soc_start),
-                     fmt::format("more than {:g}, at which the battery of {} is empty", empty_soc,
-                                 stage.vehicle.name));
-  }
+  stage.vehicle = vehicle_of(scenario, source);
   return stage;
 }
 

@@ -161,12 +161,19 @@ void set_order(Descent& descent, std::vector<int> order) {
 }
 
 void descend(Descent& descent, GridSearch& search) {
-  for (int looked = 1; !descent.to_look_at.empty(); ++looked) {
-    if (looked % kLooksPerCheck == 0 && !goes_on(search)) return;
+  int looked = 0;
+  const auto ends = [&] {
+    if (++looked % kLooksPerCheck != 0) return false;
+    search.evaluations = descent.evaluations;
+    return !goes_on(search);
+  };
+  while (!descent.to_look_at.empty()) {
+    if (ends()) return;
     const int node = descent.to_look_at.back();
     descent.to_look_at.pop_back();
     at(descent.waits, node) = 0;
     while (improve_at(descent, node)) {
+      if (ends()) return;
     }
   }
 }

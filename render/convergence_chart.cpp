@@ -139,7 +139,8 @@ Range costs_of(const std::vector<ConvergenceLine>& lines) {
 // ten: by itself it would be marked at those powers alone, of which there may be none.
 std::string cost_axis(const Range& costs) {
   if (!(costs.low > 0.0 && costs.high / costs.low > kLinearUpTo)) {
-    const double air = 0.05 * (costs.high - costs.low) + 1e-6;
+    // gnuplot draws no empty range, and takes ends that agree in eight digits for one.
+    const double air = 0.05 * (costs.high - costs.low) + 1e-3 * std::max(1.0, std::abs(costs.high));
     return fmt::format("set yrange [{:.8g}:{:.8g}]\n", costs.low - air, costs.high + air);
   }
   const Range range{costs.low / kAir, costs.high * kAir};

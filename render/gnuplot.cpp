@@ -49,7 +49,11 @@ struct BrokenPipesIgnored {
 }  // namespace
 
 void require_gnuplot() {
-  if (std::system("gnuplot --version >/dev/null 2>&1") == 0) return;
+  const int status = std::system("gnuplot --version >/dev/null 2>&1");
+  // What the shell says of a command that it does not find. A signal that ended the question tells
+  // nothing of gnuplot.
+  constexpr int kNotFound = 127;
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != kNotFound) return;
   throw InputError("gnuplot", "", "",
                    "is not installed; it draws the charts (Debian: gnuplot-nox)");
 }

@@ -85,10 +85,11 @@ void check_grid_map(const GridMap& map, const std::string& source) {
   }
   require_values(map, map.blocked.size(), source, "map");
   if (!map.height_m.empty()) require_values(map, map.height_m.size(), source, "heights");
-  const auto odd =
-      std::ranges::find_if_not(map.height_m, [](double h) { return std::isfinite(h); });
+  const auto odd = std::ranges::find_if_not(
+      map.height_m, [](double h) { return std::abs(h) <= kMaxGridHeight_m; });
   if (odd != map.height_m.end()) {
-    throw InputError(source, "heights", fmt::format("{}", *odd), "finite heights");
+    throw InputError(source, "heights", fmt::format("{}", *odd),
+                     fmt::format("heights from {0} to {1}", -kMaxGridHeight_m, kMaxGridHeight_m));
   }
   if (free_cell_count(map) == 0) throw InputError(source, "map", "", "there is no free cell");
 }

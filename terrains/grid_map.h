@@ -36,6 +36,8 @@ inline constexpr int kMaxGridSide = 1000;
 // Side of a cell.
 inline constexpr double kMinGridCell_m = 0.05;
 inline constexpr double kMaxGridCell_m = 1000.0;
+// Of a cell's centre, above or below 0.
+inline constexpr double kMaxGridHeight_m = 1e5;
 
 // Any size that is not negative, all free, flat.
 GridMap free_grid_map(int columns, int rows);
@@ -72,8 +74,8 @@ struct GridAreas {
 
 GridAreas areas_of(const GridMap& map);
 
-// Throws InputError for sizes out of range, lists of another size than the map, heights that are
-// not finite, and a map without a free cell.
+// Throws InputError for sizes out of range, lists of another size than the map, heights out of
+// range or not finite, and a map without a free cell.
 void check_grid_map(const GridMap& map, const std::string& source);
 
 // Takes the heights of the terrain's surface at the cells' centres.

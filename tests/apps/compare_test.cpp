@@ -56,12 +56,48 @@ TEST_F(CompareTest, JsonIsTheFileAndNothingElse) {
   EXPECT_EQ(headland("compare compare.yaml -o DIR -q").out, "");
 }
 
+// The same bytes with one job and with two; plans with jumps are not driven.
+TEST_F(CompareTest, DrivesTheBestPlans) {
+  write("compare.yaml",
+        "repeats: 1\nmaps: [{file: drawn.txt, cell_m: 2}]\n"
+        "stop: {iterations: 5}\n"
+        "planners: [{name: grid_boustrophedon, label: rows}, {name: grid_ga, label: GA}]\n"
+        "drive: {vehicle: transplanter}\n");
+  const CommandResult one = headland("compare compare.yaml -o DIR --drive --json --jobs 1");
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  const auto json = nlohmann::json::parse(one.out);
+  EXPECT_EQ(json["comparison"]["drive"]["vehicle"], "transplanter");
+  const auto& rows = json["runs"][0]["drive"];
+  EXPECT_EQ(rows["outcome"], "finished") << rows;
+  EXPECT_THAT(json["runs"][1]["drive"].dump(), HasSubstr("jumps between cells"));
+  const auto two =
+      nlohmann::json::parse(headland("compare compare.yaml -o DIR --drive --json --jobs 2").out);
+  EXPECT_EQ(two["runs"][0]["drive"], rows);
+}
+
+// Pictures of a comparison before go, other pictures stay.
+TEST_F(CompareTest, ReplacesItsOwnPicturesAlone) {
+  ASSERT_EQ(headland("compare compare.yaml -o DIR -q").exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "DIR" / "plan_drawn_ours.png"));
+  write("DIR/plan_of_mine.png", "mine");
+  write("compare.yaml",
+        "repeats: 1\nmaps: [{file: drawn.txt}]\nstop: {iterations: 5}\n"
+        "planners: [{name: grid_tplp, label: other}, {name: grid_boustrophedon, label: rows}]\n");
+  ASSERT_EQ(headland("compare compare.yaml -o DIR -q").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "DIR" / "plan_drawn_ours.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "DIR" / "plan_drawn_other.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "DIR" / "plan_of_mine.png"));
+}
+
 TEST_F(CompareTest, CtrlCKeepsTheRunsThatAreDone) {
   write("compare.yaml",
-        "repeats: 1\nmaps: [{generator: {columns: 12, rows: 12}}]\nbudget: {seconds: 60}\n"
+        "repeats: 1\nmaps: [{generator: {columns: 40, rows: 40}}]\n"
+        "stop: {iterations: 100000000}\n"
         "planners: [{name: grid_boustrophedon, label: rows}, {name: grid_iga}]\n");
-  // Signals go to the command alone, not to the shell around it.
-  const CommandResult result = headland("compare compare.yaml -o DIR --jobs 1", "timeout -s INT 4");
+  // In the foreground one signal is sent, and to the command alone: a second one would end it at
+  // once.
+  const CommandResult result =
+      headland("compare compare.yaml -o DIR --jobs 1", "timeout --foreground -s INT 4");
   EXPECT_EQ(result.exit_code, 124) << result.err;  // of timeout itself
   EXPECT_THAT(result.err, HasSubstr("headland: interrupted"));
   const auto json = nlohmann::json::parse(text_of(folder_ / "DIR" / "compare.json"));

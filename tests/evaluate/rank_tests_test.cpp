@@ -159,6 +159,17 @@ TEST(RankTests, FailuresRankLastAndAreAlike) {
   EXPECT_EQ(wilcoxon_test(failing, failing).ties, 6);
 }
 
+// Differences of 0.2 between sums of weights, each rounded differently: they share a rank.
+TEST(RankTests, EqualDifferencesOfRoundedFiguresTie) {
+  const std::vector<double> first = {4.4, 5.6, 9.3, 3.0};
+  const std::vector<double> second = {4.2, 5.4, 9.1, 3.2};
+  ASSERT_NE(first[0] - second[0], first[1] - second[1]);
+  const WilcoxonTest test = wilcoxon_test(first, second);
+  EXPECT_EQ(test.rank_sum_losses, 3 * 2.5);
+  EXPECT_EQ(test.rank_sum_wins, 2.5);
+  EXPECT_NEAR(test.median_difference, 0.2, 1e-11);
+}
+
 TEST(RankTests, TheSmallestPossiblePIsThatOfWinningEverywhere) {
   for (std::size_t n = 1; n <= 12; ++n) {
     const std::vector<double> first(n, 0.0);

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <cstdlib>
+#include <ctime>
 #include <optional>
 #include <set>
 #include <string>
@@ -207,16 +207,18 @@ TEST_P(GridRefusals, UselessParameters) {
 }
 
 TEST_P(GridRefusals, AsksOftenWhetherToEnd) {
-  constexpr double kLongest_s = 0.4;  // 0.2 wanted; machines that test are slow and shared
+  constexpr double kLongest_s = 0.4;  // 0.2 wanted; machines that test are slow
   GridPlanRequest request = grid_request(free_grid_map(60, 60), planner_);
-  const auto begun = std::chrono::steady_clock::now();
-  auto before = begun;
+  // Processor time: what else the machine does makes no planner slow to ask.
+  const auto now_s = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+  const double begun_s = now_s();
+  double before_s = begun_s;
   double longest_s = 0.0;
   request.cancelled = [&] {
-    const auto now = std::chrono::steady_clock::now();
-    longest_s = std::max(longest_s, std::chrono::duration<double>(now - before).count());
-    before = now;
-    return now - begun > std::chrono::milliseconds(100);
+    const double asked_s = now_s();
+    longest_s = std::max(longest_s, asked_s - before_s);
+    before_s = asked_s;
+    return asked_s - begun_s > 0.1;
   };
   try {
     planner_.plan(request);

@@ -89,7 +89,8 @@ TEST(GridMap, RefusesHeightsThatDoNotFit) {
   EXPECT_EQ(refusal([&] { check_grid_map(map, "map"); }),
             "map: heights: '1': 2 values, one for each of 2 x 1 cells");
   map.height_m = {1.0, std::numeric_limits<double>::infinity()};
-  EXPECT_EQ(refusal([&] { check_grid_map(map, "map"); }), "map: heights: 'inf': finite heights");
+  EXPECT_EQ(refusal([&] { check_grid_map(map, "map"); }),
+            "map: heights: 'inf': heights from -100000 to 100000");
   map.height_m = {1.0, 2.0};
   EXPECT_EQ(refusal([&] { check_grid_map(map, "map"); }), "accepted");
 }
