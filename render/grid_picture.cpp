@@ -39,7 +39,7 @@ void write_ticks(Sheet& sheet, Typeface& typeface, const GridPanel& panel, TextS
 
 struct LegendEntry {
   Rgba colour;
-  const char* label;
+  const char* label = "";
 };
 constexpr std::array kEntries{
     LegendEntry{colours::kFirstCell, "start"}, LegendEntry{colours::kLastCell, "end"},
