@@ -36,9 +36,8 @@ struct CompareCommand {
   bool quiet = false;
 };
 
-ComparisonOptions options_with(ProgressLine& line, const CompareCommand& command,
-                               const char* what) {
-  ComparisonOptions options;
+ParallelOptions options_with(ProgressLine& line, const CompareCommand& command, const char* what) {
+  ParallelOptions options;
   options.jobs = command.jobs;
   options.progress = [&line, what](int done, int all) { show_count(line, what, done, all); };
   options.cancelled = interrupted;

@@ -28,7 +28,11 @@ extern "C" void note_interrupt(int signal) {
 
 }  // namespace
 
-void catch_interrupts() { std::signal(SIGINT, note_interrupt); }
+void catch_interrupts() {
+  std::signal(SIGINT, note_interrupt);
+  // A file that grows too large is an error of its writing, told like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
+}
 
 bool interrupted() { return interrupt_seen != 0; }
 

@@ -12,8 +12,6 @@
 #include "evaluate/plan_file.h"
 #include "evaluate/results.h"
 #include "evaluate/run_tables.h"
-#include "planner/grid_planners.h"
-#include "planner/planners.h"
 #include "render/image.h"
 #include "render/vehicle_mesh.h"
 #include "terrains/input_error.h"
@@ -48,34 +46,6 @@ auto fitted(const std::filesystem::path& file, Make make) {
   }
 }
 
-// What a planner refuses of its request stands in the scenario.
-Plan planned(const PlannerEntry& planner, const Job& job) {
-  try {
-    return planner.plan(plan_request(job.scenario, job.stage));
-  } catch (const InputError& refused) {
-    if (refused.where != "working_width_m") throw;
-    throw InputError(job.scenario.file.string(), "implement.working_width_m", refused.value,
-                     refused.allowed);
-  }
-}
-
-// Likewise on a grid map.
-PlanResult planned_on_grid(const Job& job) {
-  const std::string source = job.scenario.file.string();
-  const GridPlannerEntry& planner = find_grid_planner(job.scenario.planner.name, source);
-  PlanResult made;
-  try {
-    made.grid_plan = planner.plan(grid_plan_request(job.scenario, job.stage));
-  } catch (const InputError& refused) {
-    throw InputError(source, "planner: " + refused.where, refused.value, refused.allowed);
-  }
-  made.grid_drive = make_grid_path(job.stage.field, job.stage.vehicle, *job.stage.grid,
-                                   *made.grid_plan, job.scenario.path);
-  made.plan = made.grid_drive->plan;
-  made.path = made.grid_drive->path;
-  return made;
-}
-
 void remove_file(const std::filesystem::path& file) {
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
@@ -84,15 +54,8 @@ void remove_file(const std::filesystem::path& file) {
 }  // namespace
 
 PlanResult plan_stage(const Job& job) {
-  const PlanResult result = fitted(job.scenario.file, [&] {
-    if (job.stage.grid) return planned_on_grid(job);
-    const PlannerEntry& planner =
-        find_planner(job.scenario.planner.name, job.scenario.file.string());
-    PlanResult made;
-    made.plan = planned(planner, job);
-    made.path = make_path(job.stage.field, job.stage.vehicle, made.plan, job.scenario.path);
-    return made;
-  });
+  const PlanResult result =
+      fitted(job.scenario.file, [&] { return plan_scenario(job.scenario, job.stage); });
   const GeoFrame& frame = job.stage.field.frame;
   std::vector<FileText> files = {{kScenarioFile, scenario_yaml(job.scenario)},
                                  {kPlanFile, plan_geojson(result.plan, frame)},

@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "evaluate/metrics.h"
+#include "evaluate/plan_scenario.h"
 #include "evaluate/scenario.h"
 #include "evaluate/verdict.h"
-#include "planner/drivable_path.h"
-#include "planner/grid_drivable.h"
 #include "render/pictures.h"
 #include "sim/run_record.h"
 #include "sim/simulation.h"
@@ -25,13 +24,6 @@ struct Job {
   Scenario scenario;
   Stage stage;
   std::filesystem::path folder;
-};
-
-struct PlanResult {
-  Plan plan;
-  Path path;
-  std::optional<GridPlan> grid_plan;  // of planners on grid maps
-  std::optional<GridDrive> grid_drive;
 };
 
 struct DriveResult {

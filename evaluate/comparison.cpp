@@ -101,7 +101,7 @@ std::uint64_t seed_of_run(std::uint64_t seed, std::string_view map, std::string_
 }
 
 std::vector<ComparedRun> run_comparison(const Comparison& comparison,
-                                        const ComparisonOptions& options) {
+                                        const ParallelOptions& options) {
   std::vector<ComparedRun> runs = runs_to_do(comparison);
   const std::size_t repeats = static_cast<std::size_t>(comparison.repeats);
   const std::size_t pairs = runs.size() / repeats;

@@ -3,13 +3,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "evaluate/metrics.h"
+#include "evaluate/parallel_runs.h"
 #include "evaluate/scenario.h"
 #include "evaluate/verdict.h"
 #include "planner/grid_plan.h"
@@ -96,19 +96,11 @@ struct ComparedRun {
 std::uint64_t seed_of_run(std::uint64_t seed, std::string_view map, std::string_view label,
                           int repeat);
 
-struct ComparisonOptions {
-  int jobs = 1;  // threads
-  // Called with the runs that are done, by one thread at a time.
-  std::function<void(int done, int all)> progress;
-  // Asked several times a second; true ends the comparison: what is done is kept.
-  CancelAsked cancelled;
-};
-
 // Every run in the order map, planner, repeat. All but `seconds` is the same with any number of
 // jobs, unless the budget is one of seconds. Runs are begun repeat by repeat, so that what an early
 // end leaves is balanced.
 std::vector<ComparedRun> run_comparison(const Comparison& comparison,
-                                        const ComparisonOptions& options);
+                                        const ParallelOptions& options);
 
 // The runs of one planner on one map.
 std::vector<const ComparedRun*> runs_of(const std::vector<ComparedRun>& runs, int map, int planner);

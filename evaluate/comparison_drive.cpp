@@ -69,7 +69,7 @@ std::vector<Stage> drive_stages(const Comparison& comparison) {
 }
 
 void drive_best_plans(const Comparison& comparison, const std::vector<Stage>& stages,
-                      const ComparisonOptions& options, std::vector<ComparedRun>& runs) {
+                      const ParallelOptions& options, std::vector<ComparedRun>& runs) {
   std::vector<ComparedRun*> best;
   for (int m = 0; m < static_cast<int>(comparison.maps.size()); ++m) {
     for (int p = 0; p < static_cast<int>(comparison.planners.size()); ++p) {

@@ -16,6 +16,6 @@ std::vector<Stage> drive_stages(const Comparison& comparison);
 // given, on the maps' `stages`. Plans with jumps are not driven, nor what cannot be made drivable.
 // The same results with any number of jobs. What an early end leaves is without `driven`.
 void drive_best_plans(const Comparison& comparison, const std::vector<Stage>& stages,
-                      const ComparisonOptions& options, std::vector<ComparedRun>& runs);
+                      const ParallelOptions& options, std::vector<ComparedRun>& runs);
 
 }  // namespace headland

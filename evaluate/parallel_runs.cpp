@@ -9,12 +9,15 @@
 
 namespace headland {
 
-void run_in_parallel(std::size_t count, const ComparisonOptions& options,
+void run_in_parallel(std::size_t count, const ParallelOptions& options,
                      const std::function<bool(std::size_t, const CancelAsked&)>& work) {
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   int done = 0;
-  const CancelAsked cancelled = [&] { return options.cancelled && options.cancelled(); };
+  std::atomic<bool> failed = false;
+  const CancelAsked cancelled = [&] {
+    return failed || (options.cancelled && options.cancelled());
+  };
   // More threads than processors only when asked for.
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(options.jobs));
@@ -22,7 +25,13 @@ void run_in_parallel(std::size_t count, const ComparisonOptions& options,
   arena.execute([&] {
     tbb::parallel_for(0, options.jobs, [&](int) {
       for (std::size_t i = next++; i < count && !cancelled(); i = next++) {
-        const bool ended = work(i, cancelled);
+        bool ended = false;
+        try {
+          ended = work(i, cancelled);
+        } catch (...) {
+          failed = true;
+          throw;
+        }
         const std::scoped_lock lock(mutex);
         done += ended ? 1 : 0;
         if (options.progress) options.progress(done, static_cast<int>(count));

@@ -5,6 +5,7 @@
 
 #include "evaluate/scenario.h"
 #include "evaluate/scenario_keys.h"
+#include "evaluate/scenario_parts.h"
 #include "evaluate/scenario_soil.h"
 #include "evaluate/yaml_parameters.h"
 #include "evaluate/yaml_section.h"
@@ -100,7 +101,8 @@ void refuse_beside_grid_map(const YamlSection& section, const FieldSource& field
   }
 }
 
-// What a grid map's numbers are by default follows from vehicle, path and planner.
+}  // namespace
+
 void read_grid_map_numbers(const YamlSection& top, const Vehicle& vehicle, Scenario& scenario) {
   if (scenario.field.grid_map.empty()) return;
   const YamlSection section = read_section(top, "field").value();
@@ -150,6 +152,8 @@ FieldSource read_field_source(const YamlSection& top, const fs::path& folder) {
   return field;
 }
 
+namespace {
+
 const GeneratorEntry& find_generator(const YamlSection& section, const std::string& name) {
   std::vector<std::string> known;
   for (const GeneratorEntry& entry : generators()) {
@@ -160,6 +164,8 @@ const GeneratorEntry& find_generator(const YamlSection& section, const std::stri
                    fmt::format("unknown generator; did you mean '{}'? (known: {})",
                                nearest_name(name, known), fmt::join(known, ", ")));
 }
+
+}  // namespace
 
 void read_terrain_source(const YamlSection& top, const fs::path& folder, Scenario& scenario) {
   TerrainSource& terrain = scenario.terrain;
@@ -190,6 +196,8 @@ void read_terrain_source(const YamlSection& top, const fs::path& folder, Scenari
   numbers_section(section, "micro_relief", scenario);
 }
 
+namespace {
+
 // The vehicle's name; a folder (told by its slash) starts at the scenario's own.
 std::string read_vehicle(const YamlSection& top, const fs::path& folder) {
   const auto name = read_word(top, "vehicle");
@@ -215,6 +223,8 @@ std::string read_vehicle(const YamlSection& top, const fs::path& folder) {
   }
   return *name;
 }
+
+}  // namespace
 
 PlannerChoice read_planner(const YamlSection& top) {
   PlannerChoice choice;
@@ -251,6 +261,8 @@ PlannerChoice read_planner(const YamlSection& top) {
   }
   return choice;
 }
+
+namespace {
 
 void read_verdict(const YamlSection& top, Scenario& scenario) {
   const auto verdict = read_section(top, "verdict");

@@ -21,6 +21,11 @@ std::string joined(const std::string& section, std::string_view key) {
 
 std::string line_of(const YAML::Node& node) { return fmt::format("line {}", node.Mark().line + 1); }
 
+// Of a key and its value; a mapping put together of parts of a file has keys that stand nowhere.
+std::string line_of_entry(const YAML::Node& key, const YAML::Node& value) {
+  return line_of(key.Mark().is_null() ? value : key);
+}
+
 // The scalar that stood there, or a short list of scalars; empty for anything else.
 std::string shown(const YAML::Node& node) {
   constexpr std::size_t kShortList = 3;
@@ -123,7 +128,8 @@ void refuse_unknown_keys(const YamlSection& section, const std::vector<std::stri
                            (section.path.empty() ? "" : " in section " + section.path));
     }
     const std::string key = entry.first.Scalar();
-    const std::string place = line_of(entry.first) + ": " + joined(section.path, key);
+    const std::string place =
+        line_of_entry(entry.first, entry.second) + ": " + joined(section.path, key);
     if (std::find(known.begin(), known.end(), key) == known.end()) {
       throw InputError(section.source, place, "",
                        fmt::format("unknown key; did you mean '{}'? (known: {})",
@@ -138,9 +144,10 @@ void refuse_unknown_keys(const YamlSection& section, const std::vector<std::stri
 std::string place_of(const YamlSection& section, std::string_view key) {
   for (const auto& entry : section.node) {
     if (entry.first.IsScalar() && entry.first.Scalar() == key) {
-      return line_of(entry.first) + ": " + joined(section.path, key);
+      return line_of_entry(entry.first, entry.second) + ": " + joined(section.path, key);
     }
   }
+  if (section.node.Mark().is_null()) return joined(section.path, key);
   return line_of(section.node) + ": " + joined(section.path, key);
 }
 

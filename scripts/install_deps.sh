@@ -16,6 +16,8 @@ packages=(
   libboost-dev libtbb-dev
   # files and the command line
   liburdfdom-dev libtinyxml-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev
+  # runs as data
+  libsqlite3-dev libssl-dev
   # pictures
   libosmesa6-dev libassimp-dev libpng-dev libfreetype-dev fonts-dejavu-core gnuplot-nox
   # tests and benchmarks

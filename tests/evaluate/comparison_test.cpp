@@ -181,7 +181,7 @@ TEST(Comparison, WhatAPlannerRefusesIsCountedAndTheOthersGoOn) {
 TEST(Comparison, AnEarlyEndKeepsWhatIsDoneAndLeavesBlocksOut) {
   Comparison comparison = small_comparison();
   std::atomic<int> finished = 0;
-  const ComparisonOptions options{1, [&](int done, int) { finished = done; },
+  const ParallelOptions options{1, [&](int done, int) { finished = done; },
                                   [&] { return finished >= 8; }};
   const auto runs = run_comparison(comparison, options);
   int planned = 0;
