@@ -58,6 +58,9 @@ int merge(const MergeCommand& command) {
     if (fs::equivalent(other, command.store, ignored)) {
       throw InputError("IN", "", other, "other stores than the one they are joined in are needed");
     }
+    // None is made when one of the others is none.
+    RunStore readable;
+    open_run_store(other, DatabaseMode::kRead, readable);
   }
   RunStore store;
   open_run_store(command.store, DatabaseMode::kWrite, store);

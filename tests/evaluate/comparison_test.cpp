@@ -182,7 +182,7 @@ TEST(Comparison, AnEarlyEndKeepsWhatIsDoneAndLeavesBlocksOut) {
   Comparison comparison = small_comparison();
   std::atomic<int> finished = 0;
   const ParallelOptions options{1, [&](int done, int) { finished = done; },
-                                  [&] { return finished >= 8; }};
+                                [&] { return finished >= 8; }};
   const auto runs = run_comparison(comparison, options);
   int planned = 0;
   for (const ComparedRun& run : runs) planned += run.state == RunState::kPlanned ? 1 : 0;
