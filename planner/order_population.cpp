@@ -15,6 +15,16 @@ void note_places(Individual& one, int i, int j) {
   for (; i <= j; ++i) at(one.place, at(one.order, i)) = i;
 }
 
+void show_next(Individual& one) {
+  one.next.resize(one.place.size());
+  int next = -1;
+  // Backwards: of a node that stands twice the first one counts.
+  for (int i = static_cast<int>(one.order.size()) - 1; i >= 0; --i) {
+    at(one.next, at(one.order, i)) = next;
+    next = at(one.order, i);
+  }
+}
+
 // Cheapest first, costs freed of the rounding of summed changes, the best noted.
 void sort_and_note(OrderSearch& search, Population& population) {
   // Sums of whole steps are exact.
@@ -49,6 +59,7 @@ Individual individual_of(const OrderCost& cost, std::vector<int> order) {
   for (int i = static_cast<int>(one.order.size()) - 1; i >= 0; --i) {
     at(one.place, at(one.order, i)) = i;
   }
+  show_next(one);
   one.cost = full_cost(cost, one.order);
   return one;
 }
@@ -101,12 +112,10 @@ bool perturb_weakly(OrderSearch& search, Individual& one, int k, Keep keep) {
 }
 
 bool learn(OrderSearch& search, Individual& one, const Individual& teacher, int k, Keep keep) {
-  const int after = at(teacher.place, at(one.order, k)) + 1;
-  if (after >= static_cast<int>(teacher.order.size())) return false;
-  const int wanted = at(teacher.order, after);
+  const int wanted = at(teacher.next, at(one.order, k));
   const int size = static_cast<int>(one.order.size());
   // Most have learned it already; this spares them a look into `place`.
-  if (k + 1 < size && at(one.order, k + 1) == wanted) return false;
+  if (wanted < 0 || (k + 1 < size && at(one.order, k + 1) == wanted)) return false;
   const int learned = at(one.place, wanted);
   const bool later = learned > k;
   return try_reversal(search, one, later ? k + 1 : learned, later ? learned : k - 1, keep);
@@ -127,10 +136,10 @@ void evolve(OrderTask& task, Population& population, const Improve& improve) {
   OrderSearch search = order_search(task);
   sort_and_note(search, population);
   while (search.places.end - search.places.first > 1 && next_iteration(task.search)) {
-    const Individual best = population.front();
     for (int i = 0; i < static_cast<int>(population.size()) && goes_on(task.search); ++i) {
-      improve(search, population, i, best);
+      improve(search, population, i);
     }
+    for (Individual& one : population) show_next(one);
     sort_and_note(search, population);
   }
 }

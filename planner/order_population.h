@@ -12,6 +12,8 @@ namespace headland {
 struct Individual {
   std::vector<int> order;
   std::vector<int> place;  // of each node in `order`, its first where a closed tour has two
+  // What others learn from: the node that followed each one when the iteration began, -1: none.
+  std::vector<int> next;
   double cost = 0.0;
 };
 
@@ -44,8 +46,9 @@ bool try_shift(OrderSearch& search, Individual& one, int i, int j, Keep keep);
 
 // The operators of Wang et al. 2025 (10.20944/preprints202504.0101.v1), 4.2, at place k: strong
 // perturbation (Figure 3: swap with a random place), weak perturbation (Figure 4: turn round what
-// lies between it and a random place), and learning (Figure 5): the node that follows order[k] in
-// `teacher` comes beside it, by turning round the section between, which must not contain order[k].
+// lies between it and a random place), and learning (Figure 5): the node that followed order[k] in
+// `teacher` when the iteration began comes beside it, by turning round the section between, which
+// must not contain order[k].
 bool perturb_strongly(OrderSearch& search, Individual& one, int k, Keep keep);
 bool perturb_weakly(OrderSearch& search, Individual& one, int k, Keep keep);
 bool learn(OrderSearch& search, Individual& one, const Individual& teacher, int k, Keep keep);
@@ -56,10 +59,9 @@ bool learn_from_any(OrderSearch& search, Population& population, int i, int amon
 
 int draw_place(OrderSearch& search);
 
-// Works on population[i] for one iteration, at whose beginning the population was sorted; `best` is
-// the first as it was then.
-using Improve =
-    std::function<void(OrderSearch&, Population& population, int i, const Individual& best)>;
+// Works on population[i] for one iteration, at whose beginning the population was sorted, the best
+// first.
+using Improve = std::function<void(OrderSearch&, Population& population, int i)>;
 
 // Improves the population, iteration by iteration and one individual after the other, until the
 // task's search ends. Cheapest first, the best noted, before and after. Throws Cancelled.

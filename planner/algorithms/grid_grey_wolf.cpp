@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kLeaders = 3;
 
-void hunt(OrderSearch& search, Population& population, int i, const Individual&) {
+void hunt(OrderSearch& search, Population& population, int i) {
   const double a = 2.0 * (1.0 - share_over(search.search));
   for (int k = search.places.first; k < search.places.end; ++k) {
     if (std::abs(a * (2.0 * draw_unit(search.random) - 1.0)) < 1.0) {

@@ -5,14 +5,14 @@ namespace {
 
 constexpr int kGroups = 4;
 
-void study(OrderSearch& search, Population& population, int i, const Individual& best) {
+void study(OrderSearch& search, Population& population, int i) {
   const int size = static_cast<int>(population.size());
   const int group = kGroups * i / size;
   for (int k = search.places.first; k < search.places.end; ++k) {
     if (group == 0) {
       learn_from_any(search, population, i, size, k, Keep::kNotWorse);
     } else if (group == 1) {
-      learn(search, at(population, i), best, k, Keep::kNotWorse);
+      learn(search, at(population, i), population.front(), k, Keep::kNotWorse);
     } else if (group == 2) {
       learn_from_any(search, population, i, i, k, Keep::kNotWorse);
     } else {

@@ -42,25 +42,24 @@ struct Tplp {
   TplpRule rule;
   std::array<double, 2> ends;  // of POP2 and POP3, as shares of all but the best
 
-  void operator()(OrderSearch& search, Population& population, int i, const Individual& best) const;
+  void operator()(OrderSearch& search, Population& population, int i) const;
 };
 
-void Tplp::operator()(OrderSearch& search, Population& population, int i,
-                      const Individual& best) const {
+void Tplp::operator()(OrderSearch& search, Population& population, int i) const {
   Individual& one = at(population, i);
   const int size = static_cast<int>(population.size());
   const auto is_before = [&](double end) { return i < 1 + std::lround((size - 1) * end); };
   const bool is_pop2 = is_before(ends[0]);
-  const bool is_pop3 = is_before(ends[1]);
+  const bool is_pop3 = !is_pop2 && is_before(ends[1]);
+  // Of itself an individual has nothing to learn.
+  const Individual& teacher = at(population, is_pop3 ? draw_below(search.random, size) : 0);
   const int count = rule.random_places ? kRandomPlaces : search.places.end - search.places.first;
   for (int step = 0; step < count; ++step) {
     const int k = rule.random_places ? draw_place(search) : search.places.first + step;
     if (i == 0) {
       perturb_strongly(search, one, k, rule.others);
-    } else if (is_pop2) {
-      learn(search, one, best, k, rule.pop2);
-    } else if (is_pop3) {
-      learn_from_any(search, population, i, size, k, rule.others);
+    } else if (is_pop2 || is_pop3) {
+      learn(search, one, teacher, k, is_pop2 ? rule.pop2 : rule.others);
     } else {
       perturb_weakly(search, one, k, rule.others);
     }

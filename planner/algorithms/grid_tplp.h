@@ -15,7 +15,8 @@ std::span<const ParameterSpec> grid_tplp_parameters();
 //   places), POP2 learns from the best, POP3 from random individuals, POP4 is perturbed weakly (a
 //   section is turned round); `share_2` to `share_4` are the sizes of the last three.
 // Readings of what the paper leaves open: an iteration applies the operator at every place k in
-// turn, and a change is kept unless it makes the path costlier; `rule` has others. Learning
+// turn, and a change is kept unless it makes the path costlier; `rule` has others. All learn from
+// orders as the iteration found them (Step 7), each of POP3 from one individual of them. Learning
 // excludes x_k from the section that is turned round, else the learned pair would not become
 // neighbours. The best individual is never made worse. Given start and end keep their places
 // instead of being repaired. With alpha_g = 1 lambda has no effect; the paper's Table 4 varies it

@@ -8,13 +8,12 @@ std::span<const ParameterSpec> grid_dtsa_parameters() { return transforming_para
 
 GridPlan plan_grid_dtsa(const GridPlanRequest& request) {
   const TransformingSearch tendency = transforming_search(request.parameters);
-  const auto improve = [&tendency](OrderSearch& search, Population& population, int i,
-                                   const Individual& best) {
+  const auto improve = [&tendency](OrderSearch& search, Population& population, int i) {
     const int size = static_cast<int>(population.size());
     Individual& one = at(population, i);
     for (int k = search.places.first; k < search.places.end; ++k) {
       if (draw_unit(search.random) < tendency.st1) {
-        learn(search, one, best, k, Keep::kNotWorse);
+        learn(search, one, population.front(), k, Keep::kNotWorse);
       } else {
         learn_from_any(search, population, i, size, k, Keep::kNotWorse);
       }
