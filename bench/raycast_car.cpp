@@ -19,13 +19,14 @@ struct RaycastCar::Parts {
   btRaycastVehicle::btVehicleTuning tuning;
   std::unique_ptr<btHeightfieldTerrainShape> terrain_shape;
   std::unique_ptr<btRigidBody> terrain;
-  std::unique_ptr<btBoxShape> hull;
+  std::unique_ptr<btBoxShape> box;
+  btCompoundShape hull;
   std::unique_ptr<btRigidBody> chassis;
   std::unique_ptr<btDefaultVehicleRaycaster> raycaster;
   std::unique_ptr<btRaycastVehicle> car;
 };
 
-RaycastCar::RaycastCar(const Heightfield& terrain, const Vehicle& vehicle)
+RaycastCar::RaycastCar(const Heightfield& terrain, const Vehicle& vehicle, HullContact hull)
     : parts_(std::make_unique<Parts>()) {
   Parts& p = *parts_;
   p.world.setGravity({0.0, 0.0, -kGravity_mps2});
@@ -42,17 +43,21 @@ RaycastCar::RaycastCar(const Heightfield& terrain, const Vehicle& vehicle)
   p.terrain = std::make_unique<btRigidBody>(
       btRigidBody::btRigidBodyConstructionInfo(0.0, nullptr, p.terrain_shape.get()));
   p.terrain->setWorldTransform(pose);
-  // Hull and terrain do not collide, as in headland; the rays see the terrain.
   constexpr int kTerrainGroup = btBroadphaseProxy::StaticFilter;
   constexpr int kHullGroup = btBroadphaseProxy::CharacterFilter;
-  p.world.addRigidBody(p.terrain.get(), kTerrainGroup, btBroadphaseProxy::DefaultFilter);
+  p.world.addRigidBody(p.terrain.get(), kTerrainGroup,
+                       btBroadphaseProxy::DefaultFilter | kHullGroup);
 
   const ChassisMass mass = chassis_mass(vehicle);
   const Body& body = vehicle.body;
-  p.hull = std::make_unique<btBoxShape>(btVector3(0.5 * body.length_m, 0.5 * body.width_m,
-                                                  0.5 * (body.height_m - body.ground_clearance_m)));
+  p.box = std::make_unique<btBoxShape>(btVector3(0.5 * body.length_m, 0.5 * body.width_m,
+                                                 0.5 * (body.height_m - body.ground_clearance_m)));
+  btTransform middle = btTransform::getIdentity();
+  middle.setOrigin({0.5 * body.length_m - body.rear_overhang_m - mass.com_B.x(), -mass.com_B.y(),
+                    0.5 * (body.height_m + body.ground_clearance_m) - mass.com_B.z()});
+  p.hull.addChildShape(middle, p.box.get());
   btRigidBody::btRigidBodyConstructionInfo info(
-      mass.mass_kg, nullptr, p.hull.get(),
+      mass.mass_kg, nullptr, &p.hull,
       {mass.inertia_kg_m2.x(), mass.inertia_kg_m2.y(), mass.inertia_kg_m2.z()});
   p.chassis = std::make_unique<btRigidBody>(info);
   p.chassis->setActivationState(DISABLE_DEACTIVATION);
@@ -60,7 +65,8 @@ RaycastCar::RaycastCar(const Heightfield& terrain, const Vehicle& vehicle)
   const double ground_m = surface_at(terrain, 0.0, 0.0).height_m;
   pose.setOrigin({mass.com_B.x(), 0.0, ground_m + mass.com_B.z() + 0.05});
   p.chassis->setWorldTransform(pose);
-  p.world.addRigidBody(p.chassis.get(), kHullGroup, 0);
+  p.world.addRigidBody(p.chassis.get(), kHullGroup,
+                       hull == HullContact::kTerrain ? kTerrainGroup : 0);
 
   p.raycaster = std::make_unique<btDefaultVehicleRaycaster>(&p.world);
   p.car = std::make_unique<btRaycastVehicle>(p.tuning, p.chassis.get(), p.raycaster.get());
@@ -93,6 +99,11 @@ void RaycastCar::step(double force_n, double steer_rad, double dt_s) {
   for (const int wheel : {0, 1}) parts_->car->applyEngineForce(0.5 * force_n, wheel);
   for (const int wheel : {2, 3}) parts_->car->setSteeringValue(steer_rad, wheel);
   parts_->world.stepSimulation(dt_s, 0);
+}
+
+double RaycastCar::speed_mps() const {
+  const btTransform& pose = parts_->chassis->getWorldTransform();
+  return pose.getBasis().getColumn(0).dot(parts_->chassis->getLinearVelocity());
 }
 
 int RaycastCar::wheels_on_ground() const {

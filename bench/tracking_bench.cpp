@@ -2,7 +2,6 @@
 // the physics' rate: the user chooses the step knowing the price.
 // Usage: tracking_bench [--json]
 #include <cstdlib>
-#include <ctime>
 
 #include "bench/figures.h"
 #include "tests/sim/test_drives.h"
@@ -17,18 +16,16 @@ struct Ground {
   Heightfield terrain;
 };
 
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 void add_drive(const char* name, const Ground& ground, double rate_hz,
                std::vector<bench::Figure>& figures) {
   const Vehicle vehicle = load_vehicle(name);
   const Path path = test::rows_for(vehicle, 6, 60.0);
   SimulationOptions options;
   options.rate_hz = rate_hz;
-  const double start_s = cpu_seconds();
+  const double start_s = bench::cpu_seconds();
   const RunRecord run =
       test::run(path, vehicle, ground.terrain, test::textbook_soil(0.6, 0.07), options);
-  const double spent_s = cpu_seconds() - start_s;
+  const double spent_s = bench::cpu_seconds() - start_s;
   const test::TrackingError error = test::tracking_error(path, run);
   const auto add = [&](const char* what, double value, const char* unit, const char* target) {
     figures.push_back({fmt::format("{}, {}, {:.0f} Hz: {}", name, ground.name, rate_hz, what),

@@ -118,20 +118,37 @@ NearestEdge search_outwards(const FreeSpace& space, const Vector2d& p_W, int fir
   return nearest;
 }
 
-// Distances of the cells' centres, each looked for around the answer of the cell before it.
+// Fewer edges than this are looked at one by one: rings of empty cells take longer.
+constexpr std::size_t kFewEdges = 32;
+
+NearestEdge search_all(const FreeSpace& space, const Vector2d& p_W) {
+  NearestEdge nearest{std::numeric_limits<double>::max(), 0};
+  for (std::size_t i = 0; i < space.edges.size(); ++i) {
+    const double distance_m = distance_to_segment(p_W, space.edges[i].a_W, space.edges[i].b_W);
+    if (distance_m < nearest.distance_m) nearest = {distance_m, static_cast<int>(i)};
+  }
+  return nearest;
+}
+
+// The edge nearest to a cell's centre, looked for around the answer of the cell before it.
+NearestEdge search_from(const FreeSpace& space, const Vector2d& centre, NearestEdge before) {
+  // No edge is nearer than that, so cells all of whose ground is are empty.
+  const double least_cells = before.distance_m / space.cell_m - 1.0;
+  const int first_ring =
+      std::max(0, static_cast<int>(std::floor(least_cells / std::numbers::sqrt2 - 0.5)));
+  before.distance_m = distance_to_edge(space, centre, before.edge);
+  return search_outwards(space, centre, first_ring, before);
+}
+
 void measure_edges(FreeSpace& space) {
+  const bool few = space.edges.size() < kFewEdges;
   const std::vector<std::vector<double>> crossings = crossings_of_rows(space);
   for (int row = 0; row < space.rows; ++row) {
     const std::vector<double>& crossing = crossings[static_cast<std::size_t>(row)];
     NearestEdge nearest = nearest_edge(space, centre_of(space, 0, row));
     for (int column = 0; column < space.columns; ++column) {
       const Vector2d centre = centre_of(space, column, row);
-      // No edge is nearer than that, so cells all of whose ground is are empty.
-      const double least_cells = nearest.distance_m / space.cell_m - 1.0;
-      const int first_ring =
-          std::max(0, static_cast<int>(std::floor(least_cells / std::numbers::sqrt2 - 0.5)));
-      nearest.distance_m = distance_to_edge(space, centre, nearest.edge);
-      nearest = search_outwards(space, centre, first_ring, nearest);
+      nearest = few ? search_all(space, centre) : search_from(space, centre, nearest);
       const auto beyond =
           crossing.end() - std::upper_bound(crossing.begin(), crossing.end(), centre.x());
       const double signed_m = beyond % 2 == 1 ? nearest.distance_m : -nearest.distance_m;

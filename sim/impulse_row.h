@@ -23,23 +23,23 @@ struct Motion {
 // One scalar force: how the chassis point at offset `arm` from the centre of mass moves along
 // `direction` per unit impulse there.
 struct ImpulseRow {
-  Eigen::Vector3d arm;
   Eigen::Vector3d direction;
+  Eigen::Vector3d moment;   // arm x direction: what the force does about the centre of mass
   Eigen::Vector3d angular;  // change of omega per unit impulse
   double mobility = 0.0;    // change of velocity along direction per unit impulse
   double impulse = 0.0;
 
   ImpulseRow() = default;
-  ImpulseRow(const Motion& motion, const Eigen::Vector3d& arm_in,
-             const Eigen::Vector3d& direction_in)
-      : arm(arm_in), direction(direction_in) {
-    const Eigen::Vector3d moment = arm.cross(direction);
-    angular = motion.inverse_inertia_W * moment;
-    mobility = motion.inverse_mass + angular.dot(moment);
+  ImpulseRow(const Motion& motion, const Eigen::Vector3d& arm, const Eigen::Vector3d& direction_in)
+      : direction(direction_in),
+        moment(arm.cross(direction)),
+        angular(motion.inverse_inertia_W * moment),
+        mobility(motion.inverse_mass + angular.dot(moment)) {}
+  // Of the point along the direction: direction . (v + omega x arm).
+  double velocity(const Eigen::Vector3d& v_W, const Eigen::Vector3d& omega_W) const {
+    return direction.dot(v_W) + moment.dot(omega_W);
   }
-  double velocity(const Motion& motion) const {
-    return direction.dot(point_velocity(motion.v_W, motion.omega_W, arm));
-  }
+  double velocity(const Motion& motion) const { return velocity(motion.v_W, motion.omega_W); }
   void apply(Motion& motion, double change) {
     motion.add_impulse(change * direction, change * angular);
     impulse += change;

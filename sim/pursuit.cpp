@@ -16,7 +16,8 @@ constexpr double kMaxSteerBias_rad = 0.1;
 Eigen::Vector2d seen_from(const Eigen::Vector2d& p_W, double heading_rad,
                           const Eigen::Vector2d& target_W) {
   const Eigen::Vector2d to_target = target_W - p_W;
-  return {direction_of(heading_rad).dot(to_target), left_of(heading_rad).dot(to_target)};
+  const Eigen::Vector2d ahead = direction_of(heading_rad);
+  return {ahead.dot(to_target), ahead.x() * to_target.y() - ahead.y() * to_target.x()};
 }
 
 double pursuit_curvature_per_m(const Eigen::Vector2d& target) {
@@ -40,6 +41,7 @@ void learn_bias(const Vehicle& vehicle, const DriverView& view, double steer_rad
 }
 
 Eigen::Vector2d position_now(const DriverView& view) {
+  if (view.age_s == 0.0) return view.p_W;
   return view.p_W + view.age_s * (view.course_mps.x() * direction_of(view.yaw_rad) +
                                   view.course_mps.y() * left_of(view.yaw_rad));
 }

@@ -38,13 +38,18 @@ struct Place {
   }
 };
 
-Place place_of(const ChassisState& chassis, const ChassisMass& mass) {
+Place place_of(const ChassisState& chassis, const ChassisMass& mass,
+               const Eigen::Vector3d& angles) {
   Place place;
   place.p_WB = origin_of(chassis, mass);
-  place.yaw_pitch_roll = yaw_pitch_roll(chassis.R_WB);
-  place.ahead = {std::cos(place.yaw_pitch_roll.x()), std::sin(place.yaw_pitch_roll.x())};
+  place.yaw_pitch_roll = angles;
+  place.ahead = chassis.R_WB.col(0).head<2>().normalized();
   place.left = {-place.ahead.y(), place.ahead.x()};
   return place;
+}
+
+Place place_of(const ChassisState& chassis, const ChassisMass& mass) {
+  return place_of(chassis, mass, yaw_pitch_roll(chassis.R_WB));
 }
 
 void record_belly(Recorder& recorder, const StepReport& report, double time_s) {
@@ -218,10 +223,12 @@ Recorder make_recorder(const Machine& machine, const Field& field, double rate_h
 }
 
 void record_step(Recorder& recorder, const StepReport& report, const MachineState& state,
-                 const DriverState& driver, const DriverCommand& command, double cross_track_m) {
+                 const DriverState& driver, const DriverCommand& command, const DriverView& truth,
+                 double cross_track_m) {
   RunRecord& record = recorder.record;
   const double time_s = static_cast<double>(recorder.step) * recorder.dt_s;
-  const Place place = place_of(report.chassis, recorder.machine.mass);
+  const Place place = place_of(report.chassis, recorder.machine.mass,
+                               {truth.yaw_rad, truth.pitch_rad, truth.roll_rad});
   recorder.cross_track_m = cross_track_m;
 
   if (recorder.step > 0) {

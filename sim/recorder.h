@@ -46,10 +46,12 @@ struct Recorder {
 Recorder make_recorder(const Machine& machine, const Field& field, double rate_hz, double record_hz,
                        double footprint_spacing_m);
 
-// Adds one step. `driver` and `command` are those that the step was driven with, `cross_track_m`
-// is the true distance from the path, whatever the driver believes.
+// Adds one step. `driver` and `command` are those that the step was driven with; `truth` is how the
+// vehicle stood before it and `cross_track_m` its distance from the path, whatever the driver
+// believes.
 void record_step(Recorder& recorder, const StepReport& report, const MachineState& state,
-                 const DriverState& driver, const DriverCommand& command, double cross_track_m);
+                 const DriverState& driver, const DriverCommand& command, const DriverView& truth,
+                 double cross_track_m);
 
 // Closes totals and ledger with the stores as they are at the end, after the step `report`; the
 // record's last sample is of that step.

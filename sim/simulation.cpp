@@ -14,8 +14,8 @@ constexpr double kSettle_s = 2.0;  // standing braked before the clock starts: t
 
 DriverView view_of(const ChassisState& chassis, const ChassisMass& mass) {
   const Eigen::Vector3d angles = yaw_pitch_roll(chassis.R_WB);
-  const Eigen::Vector2d ahead(std::cos(angles.x()), std::sin(angles.x()));
   const Eigen::Vector3d x_axis = chassis.R_WB.col(0);
+  const Eigen::Vector2d ahead = x_axis.head<2>().normalized();
   const Eigen::Vector3d turning = chassis.omega_W.cross(x_axis);
   const Eigen::Vector3d v_WB =
       point_velocity(chassis.v_W, chassis.omega_W, -(chassis.R_WB * mass.com_B));
@@ -87,16 +87,17 @@ RunRecord simulate(const SimulationSetup& setup) {
   ProgressWatch watch;
   while (!driver.finished) {
     const double time_s = static_cast<double>(recorder.step) * dt_s;
-    DriverView view = view_of(world.state(), machine.mass);
-    const Eigen::Vector2d p_W = view.p_W;
-    follow(route, p_W, place);
-    view.p_W = receive(receiver, p_W);
+    const DriverView truth = view_of(world.state(), machine.mass);
+    follow(route, truth.p_W, place);
+    DriverView view = truth;
+    view.p_W = receive(receiver, truth.p_W);
     view.age_s = options.positioning.latency_s;
     const double steer_before_rad = driver.steer_rad;
     command = drive(route, setup.vehicle, view, total_mass_kg(setup.vehicle), dt_s, driver);
     const Steer steer{driver.steer_rad, (driver.steer_rad - steer_before_rad) / dt_s};
     report = step_machine(machine, command, steer, driver.lowered, dt_s, world, state);
-    record_step(recorder, report, state, driver, command, cross_track_m(route, place, p_W));
+    record_step(recorder, report, state, driver, command, truth,
+                cross_track_m(route, place, truth.p_W));
     if (driver.place.run != place.run) place = driver.place;
     const auto incident = find_incident(setup, machine, report, world, state, driver,
                                         recorder.record, time_s, max_time_s, watch);

@@ -6,38 +6,67 @@
 namespace headland {
 namespace {
 
-// The tyre law linearised about the present deflection: F = stiffness * z.
+// What does not change while the impulses of a step are looked for: one tyre on its soil.
+struct Grip {
+  Traction traction;
+  double load_n = 0.0;
+  double u_per_x = 0.0;  // combined slip per deflection [1/m]
+  double u_per_y = 0.0;
+  double limit = 0.0;  // impulse of the full pull
+};
+
+// The tyre law linearised about the present deflection, times the step: impulse = -stiffness * z.
 struct Bristle {
   double stiffness_x = 0.0;
   double stiffness_y = 0.0;
 };
 
-Bristle linearise(const Traction& traction, double lateral_gamma_rad, double load_n, double z_x_m,
-                  double z_y_m) {
-  const double c_x = traction.slip_stiffness / kRelaxationLength_m;
-  const double c_y = 1.0 / (lateral_gamma_rad * kRelaxationLength_m);
+Bristle linearise(const Grip& grip, double z_x_m, double z_y_m, double dt_s) {
   // The secant's limit at no deflection is the initial slope, which this u is close enough to.
   constexpr double kSmall = 1e-9;
-  const double u = std::max(Eigen::Vector2d(c_x * z_x_m, c_y * z_y_m).norm(), kSmall);
-  const double strength = load_n * gross_pull(traction, u) / u;
-  return {strength * c_x, strength * c_y};
+  const double u =
+      std::max(Eigen::Vector2d(grip.u_per_x * z_x_m, grip.u_per_y * z_y_m).norm(), kSmall);
+  const double strength = dt_s * grip.load_n * gross_pull(grip.traction, u) / u;
+  return {strength * grip.u_per_x, strength * grip.u_per_y};
 }
 
 // Implicit bristle over one step: z+ = (z + dt v+) / relax, F = k (z+ + tau (z+ - z) / dt), and
-// v+ = v_free + mobility p with p = -F dt. Returns p.
-double bristle_impulse(double stiffness, double z_m, double relax, double v_free, double mobility,
-                       double dt_s) {
-  const double damped = 1.0 + kBristleDamping_s / dt_s;
-  const double free_force =
-      stiffness * (damped * (z_m + dt_s * v_free) / relax - (damped - 1.0) * z_m);
-  return -dt_s * free_force / (1.0 + dt_s * dt_s * stiffness * damped * mobility / relax);
+// v+ = v_free + mobility p with p = -F dt. `held_m` is what F / k would be at v+ = 0, times relax.
+struct BristleStep {
+  double relax = 1.0;
+  double per_relax = 1.0;
+  double damped_s = 0.0;  // dt + tau
+  double held_x_m = 0.0;
+  double held_y_m = 0.0;
+};
+
+BristleStep bristle_step(double relax_speed_mps, const WheelState& state, double dt_s) {
+  BristleStep step;
+  step.relax = 1.0 + dt_s * relax_speed_mps / kRelaxationLength_m;
+  step.per_relax = 1.0 / step.relax;
+  step.damped_s = dt_s + kBristleDamping_s;
+  const double held_share = (step.damped_s - kBristleDamping_s * step.relax) / dt_s;
+  step.held_x_m = held_share * state.bristle_x_m;
+  step.held_y_m = held_share * state.bristle_y_m;
+  return step;
+}
+
+// Returns p for a stiffness times the step.
+double bristle_impulse(const BristleStep& step, double stiffness, double held_m, double v_free,
+                       double mobility) {
+  return -stiffness * (held_m + step.damped_s * v_free) /
+         (step.relax + stiffness * step.damped_s * mobility);
 }
 
 struct WheelRows {
   ImpulseRow x;
   ImpulseRow y;
+  double coupling = 0.0;  // change of the velocity along y per unit impulse along x
+  Grip grip;
+  BristleStep step;
   Eigen::Vector3d axle;
   Eigen::Vector3d brake_angular;  // change of omega per unit brake impulse on the wheel
+  double spin_per_impulse = 0.0;  // on the wheel about its axle
   double spin_free = 0.0;         // predicted with the drive torque alone
   double coulomb_impulse = 0.0;   // signed, on the wheel, brake and rolling together
   double coulomb_limit = 0.0;     // impulse
@@ -49,80 +78,105 @@ struct WheelRows {
   double z_y_new = 0.0;
 };
 
-double relaxation(const WheelRows& row, double dt_s) {
-  return 1.0 + dt_s * row.relax_speed_mps / kRelaxationLength_m;
-}
-
 // Longitudinal force and spin together: rolling forwards, rolling backwards, or locked: by the
-// brake to the chassis, by rolling resistance to the ground.
-void solve_along(WheelRows& rows, Motion& motion, const WheelDefinition& wheel,
-                 const WheelState& state, double stiffness, double limit_impulse, double relax,
-                 double dt_s) {
-  const double radius_m = wheel.radius_m;
-  const double locked = rows.brake_share > 0.5 ? motion.omega_W.dot(rows.axle) : 0.0;
-  const double brake_before = rows.coulomb_impulse * rows.brake_share;
-  motion.omega_W -= brake_before * rows.brake_angular;
-  const double hub_velocity = rows.x.velocity(motion) - rows.x.mobility * rows.x.impulse;
-  const double spin_per_impulse = radius_m / wheel.inertia_kg_m2;
+// brake to the chassis, by rolling resistance to the ground. From the hub's velocity without the
+// row's impulse; returns by how much the impulse changed.
+double solve_along(WheelRows& rows, double hub_mps, double locked_rad_per_s, double radius_m,
+                   double z_m, double stiffness, double dt_s) {
+  const double limit = rows.grip.limit;
+  const double spin_per_impulse = radius_m * rows.spin_per_impulse;
   const auto rolling = [&](double coulomb) {
-    const double spin = rows.spin_free + coulomb / wheel.inertia_kg_m2;
+    const double spin = rows.spin_free + coulomb * rows.spin_per_impulse;
     return std::clamp(
-        bristle_impulse(stiffness, state.bristle_x_m, relax, hub_velocity - radius_m * spin,
-                        rows.x.mobility + radius_m * spin_per_impulse, dt_s),
-        -limit_impulse, limit_impulse);
+        bristle_impulse(rows.step, stiffness, rows.step.held_x_m, hub_mps - radius_m * spin,
+                        rows.x.mobility + radius_m * spin_per_impulse),
+        -limit, limit);
   };
   const auto spin_after = [&](double coulomb, double impulse) {
-    return rows.spin_free + coulomb / wheel.inertia_kg_m2 - spin_per_impulse * impulse;
+    return rows.spin_free + coulomb * rows.spin_per_impulse - spin_per_impulse * impulse;
   };
 
   double coulomb = -rows.coulomb_limit;
   double impulse = rolling(coulomb);
   double spin = spin_after(coulomb, impulse);
-  if (spin <= locked) {
+  if (spin <= locked_rad_per_s) {
     coulomb = rows.coulomb_limit;
     impulse = rolling(coulomb);
     spin = spin_after(coulomb, impulse);
-    if (spin >= locked) {
-      impulse = std::clamp(bristle_impulse(stiffness, state.bristle_x_m, relax,
-                                           hub_velocity - radius_m * locked, rows.x.mobility, dt_s),
-                           -limit_impulse, limit_impulse);
-      coulomb = std::clamp(wheel.inertia_kg_m2 * (locked - rows.spin_free) + radius_m * impulse,
+    if (spin >= locked_rad_per_s) {
+      spin = locked_rad_per_s;
+      impulse = std::clamp(bristle_impulse(rows.step, stiffness, rows.step.held_x_m,
+                                           hub_mps - radius_m * spin, rows.x.mobility),
+                           -limit, limit);
+      coulomb = std::clamp((spin - rows.spin_free) / rows.spin_per_impulse + radius_m * impulse,
                            -rows.coulomb_limit, rows.coulomb_limit);
-      spin = locked;
     }
   }
-  rows.x.apply(motion, impulse - rows.x.impulse);
   rows.coulomb_impulse = coulomb;
-  motion.omega_W += coulomb * rows.brake_share * rows.brake_angular;
-  const double contact_velocity = hub_velocity + rows.x.mobility * impulse - radius_m * spin;
-  rows.z_x_new = (state.bristle_x_m + dt_s * contact_velocity) / relax;
+  const double contact_mps = hub_mps + rows.x.mobility * impulse - radius_m * spin;
+  rows.z_x_new = (z_m + dt_s * contact_mps) * rows.step.per_relax;
+  const double change = impulse - rows.x.impulse;
+  rows.x.impulse = impulse;
+  return change;
 }
 
-void solve_across(WheelRows& rows, Motion& motion, const WheelState& state, double stiffness,
-                  double limit_impulse, double relax, double dt_s) {
-  const double velocity = rows.y.velocity(motion) - rows.y.mobility * rows.y.impulse;
+// Likewise across, where the force along leaves `limit` of the grip.
+double solve_across(WheelRows& rows, double hub_mps, double z_m, double stiffness, double limit,
+                    double dt_s) {
   const double impulse = std::clamp(
-      bristle_impulse(stiffness, state.bristle_y_m, relax, velocity, rows.y.mobility, dt_s),
-      -limit_impulse, limit_impulse);
-  rows.y.apply(motion, impulse - rows.y.impulse);
-  rows.z_y_new = (state.bristle_y_m + dt_s * (velocity + rows.y.mobility * impulse)) / relax;
+      bristle_impulse(rows.step, stiffness, rows.step.held_y_m, hub_mps, rows.y.mobility), -limit,
+      limit);
+  rows.z_y_new = (z_m + dt_s * (hub_mps + rows.y.mobility * impulse)) * rows.step.per_relax;
+  const double change = impulse - rows.y.impulse;
+  rows.y.impulse = impulse;
+  return change;
 }
 
 // The soil's resistance to being rolled over pushes on the hub like dry friction.
-void solve_soil(WheelRows& rows, Motion& motion) {
-  const double velocity = rows.x.velocity(motion) - rows.x.mobility * rows.soil_impulse;
-  const double impulse = std::clamp(-velocity / rows.x.mobility, -rows.soil_limit, rows.soil_limit);
+double solve_soil(WheelRows& rows, double hub_mps) {
+  const double impulse = std::clamp(-hub_mps / rows.x.mobility, -rows.soil_limit, rows.soil_limit);
   const double change = impulse - rows.soil_impulse;
-  motion.add_impulse(change * rows.x.direction, change * rows.x.angular);
   rows.soil_impulse = impulse;
+  return change;
+}
+
+// One sweep over a wheel: brake and force along, soil, force across. The velocities follow the
+// impulses by the rows' couplings, so that the motion is read once and written once.
+void solve_wheel(WheelRows& rows, double radius_m, const WheelState& state, double dt_s,
+                 Motion& motion) {
+  const Bristle bristle = linearise(rows.grip, rows.z_x_new, rows.z_y_new, dt_s);
+  double locked_rad_per_s = 0.0;
+  if (rows.brake_share > 0.0) {
+    if (rows.brake_share > 0.5) locked_rad_per_s = motion.omega_W.dot(rows.axle);
+    motion.omega_W -= rows.coulomb_impulse * rows.brake_share * rows.brake_angular;
+  }
+  const double along_mps = rows.x.velocity(motion);
+  double across_mps = rows.y.velocity(motion);
+  double along = solve_along(rows, along_mps - rows.x.mobility * rows.x.impulse, locked_rad_per_s,
+                             radius_m, state.bristle_x_m, bristle.stiffness_x, dt_s);
+  if (rows.soil_limit > 0.0) {
+    along += solve_soil(rows, along_mps + rows.x.mobility * (along - rows.soil_impulse));
+  }
+  if (rows.brake_share > 0.0) {
+    motion.omega_W += rows.coulomb_impulse * rows.brake_share * rows.brake_angular;
+    across_mps = rows.y.velocity(motion);
+  }
+  const double left_over =
+      std::sqrt(std::max(0.0, rows.grip.limit * rows.grip.limit - rows.x.impulse * rows.x.impulse));
+  const double across =
+      solve_across(rows, across_mps + rows.coupling * along - rows.y.mobility * rows.y.impulse,
+                   state.bristle_y_m, bristle.stiffness_y, left_over, dt_s);
+  motion.add_impulse(along * rows.x.direction + across * rows.y.direction,
+                     along * rows.x.angular + across * rows.y.angular);
 }
 
 // The last step's forces: close to this one's, they save sweeps.
 void start_from(const WheelState& state, double dt_s, WheelRows& row, Motion& motion) {
-  row.x.apply(motion, dt_s * state.along_n);
-  row.y.apply(motion, dt_s * state.across_n);
+  row.x.impulse = dt_s * state.along_n;
   row.soil_impulse = std::clamp(dt_s * state.soil_n, -row.soil_limit, row.soil_limit);
-  motion.add_impulse(row.soil_impulse * row.x.direction, row.soil_impulse * row.x.angular);
+  const double along = row.x.impulse + row.soil_impulse;
+  motion.add_impulse(along * row.x.direction, along * row.x.angular);
+  row.y.apply(motion, dt_s * state.across_n);
   row.coulomb_impulse = dt_s * state.coulomb_nm;
   motion.omega_W += row.coulomb_impulse * row.brake_share * row.brake_angular;
 }
@@ -142,6 +196,83 @@ double slip_ratio(double hub_mps, double rim_mps) {
   return std::min(1.0, std::abs(rim_mps - hub_mps) / faster_mps);
 }
 
+Grip grip_of(const Soil& soil, const WheelDefinition& wheel, const WheelContact& contact,
+             double dt_s) {
+  Grip grip;
+  grip.load_n = contact.load_n;
+  if (contact.load_n > 0.0) {
+    grip.traction = traction_on(soil, wheel.tyre, contact.load_n, contact.deflection_m);
+    if (wheel.rolling_resistance > 0.0) roll_by(wheel.rolling_resistance, grip.traction);
+  }
+  grip.u_per_x = grip.traction.slip_stiffness / kRelaxationLength_m;
+  grip.u_per_y = 1.0 / (soil.lateral_gamma_rad * kRelaxationLength_m);
+  grip.limit = dt_s * grip.traction.full_pull * contact.load_n;
+  return grip;
+}
+
+// Rows of one wheel before any impulse.
+void set_rows(const WheelContact& contact, const WheelDefinition& wheel,
+              const WheelTorques& torques, const WheelState& state, const SoilMap& soil,
+              const ChassisState& chassis, const Motion& motion, double dt_s, WheelRows& row) {
+  row.x = ImpulseRow(motion, contact.hub_arm, contact.along);
+  row.y = ImpulseRow(motion, contact.lateral_arm, contact.across);
+  // The directions are at right angles: only turning couples them.
+  row.coupling = row.y.moment.dot(row.x.angular);
+  row.axle = contact.axle;
+  row.brake_angular = -(motion.inverse_inertia_W * contact.axle);
+  row.spin_per_impulse = 1.0 / wheel.inertia_kg_m2;
+  row.spin_free = state.spin_rad_per_s + dt_s * torques.drive_nm * row.spin_per_impulse;
+  row.grip =
+      grip_of(soil_at(soil, (chassis.p_WC + contact.hub_arm).head<2>()), wheel, contact, dt_s);
+  const Traction& traction = row.grip.traction;
+  const double slip = std::min(1.0, std::abs(state.bristle_x_m) / kRelaxationLength_m);
+  row.soil_limit =
+      dt_s * contact.load_n * (traction.soil_resistance + traction.soil_resistance_per_slip * slip);
+  const double coulomb_nm =
+      traction.tyre_resistance * contact.load_n * wheel.radius_m + torques.brake_max_nm;
+  row.coulomb_limit = dt_s * coulomb_nm;
+  row.brake_share = coulomb_nm > 0.0 ? torques.brake_max_nm / coulomb_nm : 0.0;
+  const double rim_mps = wheel.radius_m * state.spin_rad_per_s;
+  // From the velocities before the step: the predicted ones contain gravity not yet held by the
+  // tyres, and a braked vehicle would creep.
+  const double hub_mps = row.x.velocity(chassis.v_W, chassis.omega_W);
+  const double across_mps = row.y.velocity(chassis.v_W, chassis.omega_W);
+  row.relax_speed_mps = std::max(
+      {std::abs(rim_mps), std::abs(hub_mps), std::abs(hub_mps - rim_mps), std::abs(across_mps)});
+  row.step = bristle_step(row.relax_speed_mps, state, dt_s);
+  row.z_x_new = state.bristle_x_m;
+  row.z_y_new = state.bristle_y_m;
+}
+
+// What wheel i did, and its state after the step.
+void take_result(const WheelRows& row, const Motion& motion, const WheelDefinition& wheel,
+                 std::size_t i, double dt_s, WheelState& state, TyreResult& result) {
+  state.spin_rad_per_s =
+      row.spin_free + (row.coulomb_impulse - wheel.radius_m * row.x.impulse) * row.spin_per_impulse;
+  state.angle_rad += dt_s * state.spin_rad_per_s;
+  // From the velocities all rows ended up with, not those each row saw: otherwise the bristles
+  // forget part of the motion and a braked vehicle creeps.
+  const double hub_mps = row.x.velocity(motion);
+  const double rim_mps = wheel.radius_m * state.spin_rad_per_s;
+  state.bristle_x_m = (state.bristle_x_m + dt_s * (hub_mps - rim_mps)) * row.step.per_relax;
+  state.bristle_y_m = (state.bristle_y_m + dt_s * row.y.velocity(motion)) * row.step.per_relax;
+  // What of the contact's velocity does not go into the bristles.
+  result.sliding_mps[i] = row.relax_speed_mps / kRelaxationLength_m *
+                          Eigen::Vector2d(state.bristle_x_m, state.bristle_y_m).norm();
+  const double per_s = 1.0 / dt_s;
+  state.along_n = result.along_n[i] = row.x.impulse * per_s;
+  state.across_n = result.across_n[i] = row.y.impulse * per_s;
+  state.soil_n = result.soil_n[i] = row.soil_impulse * per_s;
+  state.coulomb_nm = row.coulomb_impulse * per_s;
+  result.brake_nm[i] = row.brake_share * state.coulomb_nm;
+  result.rolling_nm[i] = state.coulomb_nm - result.brake_nm[i];
+  result.slip[i] = slip_ratio(hub_mps, rim_mps);
+  const double along_n = state.along_n + state.soil_n;
+  result.force_W += along_n * row.x.direction + state.across_n * row.y.direction;
+  result.torque_W +=
+      along_n * row.x.moment + state.across_n * row.y.moment - result.brake_nm[i] * row.axle;
+}
+
 }  // namespace
 
 TyreResult solve_tyres(std::span<const WheelContact> contacts,
@@ -154,42 +285,8 @@ TyreResult solve_tyres(std::span<const WheelContact> contacts,
       v_W, omega_W, 1.0 / mass.mass_kg,
       chassis.R_WB * mass.inertia_kg_m2.cwiseInverse().asDiagonal() * chassis.R_WB.transpose()};
   PerWheel<WheelRows> rows;
-  PerWheel<Traction> tractions;
-  PerWheel<double> lateral_gammas{};
   for (std::size_t i = 0; i < wheels.size(); ++i) {
-    const WheelContact& contact = contacts[i];
-    const WheelDefinition& wheel = wheels[i];
-    WheelRows& row = rows[i];
-    row.x = ImpulseRow(motion, contact.hub_arm, contact.along);
-    row.y = ImpulseRow(motion, contact.lateral_arm, contact.across);
-    row.axle = contact.axle;
-    row.brake_angular = -(motion.inverse_inertia_W * contact.axle);
-    row.spin_free = states[i].spin_rad_per_s + dt_s * torques[i].drive_nm / wheel.inertia_kg_m2;
-    const Soil& under = soil_at(soil, (chassis.p_WC + contact.hub_arm).head<2>());
-    lateral_gammas[i] = under.lateral_gamma_rad;
-    if (contact.load_n > 0.0) {
-      tractions[i] = traction_on(under, wheel.tyre, contact.load_n, contact.deflection_m);
-      if (wheel.rolling_resistance > 0.0) roll_by(wheel.rolling_resistance, tractions[i]);
-    }
-    const Traction& traction = tractions[i];
-    const double rolling_nm = traction.tyre_resistance * contact.load_n * wheel.radius_m;
-    const double slip = std::min(1.0, std::abs(states[i].bristle_x_m) / kRelaxationLength_m);
-    row.soil_limit = dt_s * contact.load_n *
-                     (traction.soil_resistance + traction.soil_resistance_per_slip * slip);
-    const double coulomb_nm = rolling_nm + torques[i].brake_max_nm;
-    row.coulomb_limit = dt_s * coulomb_nm;
-    row.brake_share = coulomb_nm > 0.0 ? torques[i].brake_max_nm / coulomb_nm : 0.0;
-    const double rim_mps = wheel.radius_m * states[i].spin_rad_per_s;
-    // From the velocities before the step: the predicted ones contain gravity not yet held by the
-    // tyres, and a braked vehicle would creep.
-    const double hub_mps =
-        row.x.direction.dot(point_velocity(chassis.v_W, chassis.omega_W, row.x.arm));
-    const double across_mps =
-        row.y.direction.dot(point_velocity(chassis.v_W, chassis.omega_W, row.y.arm));
-    row.relax_speed_mps = std::max(
-        {std::abs(rim_mps), std::abs(hub_mps), std::abs(hub_mps - rim_mps), std::abs(across_mps)});
-    row.z_x_new = states[i].bristle_x_m;
-    row.z_y_new = states[i].bristle_y_m;
+    set_rows(contacts[i], wheels[i], torques[i], states[i], soil, chassis, motion, dt_s, rows[i]);
   }
   for (std::size_t i = 0; i < wheels.size(); ++i) start_from(states[i], dt_s, rows[i], motion);
 
@@ -200,57 +297,23 @@ TyreResult solve_tyres(std::span<const WheelContact> contacts,
 
   for (int iteration = 0; iteration < kTyreIterations; ++iteration) {
     for (std::size_t i = 0; i < wheels.size(); ++i) {
-      WheelRows& row = rows[i];
-      const Bristle bristle =
-          linearise(tractions[i], lateral_gammas[i], contacts[i].load_n, row.z_x_new, row.z_y_new);
-      const double relax = relaxation(row, dt_s);
-      const double limit = dt_s * tractions[i].full_pull * contacts[i].load_n;
-      solve_along(row, motion, wheels[i], states[i], bristle.stiffness_x, limit, relax, dt_s);
-      const double left_over =
-          std::sqrt(std::max(0.0, limit * limit - row.x.impulse * row.x.impulse));
-      solve_across(row, motion, states[i], bristle.stiffness_y, left_over, relax, dt_s);
-      if (row.soil_limit > 0.0) solve_soil(row, motion);
+      solve_wheel(rows[i], wheels[i].radius_m, states[i], dt_s, motion);
     }
     for (BellyRows& contact : belly_friction) solve_belly(contact, motion);
   }
 
   TyreResult result;
   for (std::size_t i = 0; i < wheels.size(); ++i) {
-    WheelRows& row = rows[i];
-    WheelState& state = states[i];
-    state.spin_rad_per_s =
-        row.spin_free +
-        (row.coulomb_impulse - wheels[i].radius_m * row.x.impulse) / wheels[i].inertia_kg_m2;
-    state.angle_rad += dt_s * state.spin_rad_per_s;
-    // From the velocities all rows ended up with, not those each row saw: otherwise the bristles
-    // forget part of the motion and a braked vehicle creeps.
-    const double contact_mps = row.x.velocity(motion) - wheels[i].radius_m * state.spin_rad_per_s;
-    const double relax = relaxation(row, dt_s);
-    state.bristle_x_m = (state.bristle_x_m + dt_s * contact_mps) / relax;
-    state.bristle_y_m = (state.bristle_y_m + dt_s * row.y.velocity(motion)) / relax;
-    // What of the contact's velocity does not go into the bristles.
-    result.sliding_mps[i] = row.relax_speed_mps / kRelaxationLength_m *
-                            Eigen::Vector2d(state.bristle_x_m, state.bristle_y_m).norm();
-    state.along_n = result.along_n[i] = row.x.impulse / dt_s;
-    state.across_n = result.across_n[i] = row.y.impulse / dt_s;
-    state.soil_n = result.soil_n[i] = row.soil_impulse / dt_s;
-    state.coulomb_nm = row.coulomb_impulse / dt_s;
-    result.brake_nm[i] = row.brake_share * state.coulomb_nm;
-    result.rolling_nm[i] = state.coulomb_nm - result.brake_nm[i];
-    result.slip[i] = slip_ratio(row.x.velocity(motion), wheels[i].radius_m * state.spin_rad_per_s);
-    const Eigen::Vector3d along = (result.along_n[i] + result.soil_n[i]) * row.x.direction;
-    const Eigen::Vector3d across = result.across_n[i] * row.y.direction;
-    result.force_W += along + across;
-    result.torque_W +=
-        row.x.arm.cross(along) + row.y.arm.cross(across) - result.brake_nm[i] * contacts[i].axle;
+    take_result(rows[i], motion, wheels[i], i, dt_s, states[i], result);
   }
   for (const BellyRows& contact : belly_friction) {
-    const Eigen::Vector3d force_W = (contact.along.impulse * contact.along.direction +
-                                     contact.across.impulse * contact.across.direction) /
-                                    dt_s;
+    const double along_n = contact.along.impulse / dt_s;
+    const double across_n = contact.across.impulse / dt_s;
+    const Eigen::Vector3d force_W =
+        along_n * contact.along.direction + across_n * contact.across.direction;
     result.belly_W.push_back(force_W);
     result.force_W += force_W;
-    result.torque_W += contact.along.arm.cross(force_W);
+    result.torque_W += along_n * contact.along.moment + across_n * contact.across.moment;
   }
   return result;
 }

@@ -37,14 +37,13 @@ struct Gap {
 };
 
 Gap measure_gap(const Heightfield& terrain, const ChassisState& chassis,
-                const WheelDefinition& wheel) {
+                const WheelDefinition& wheel, double per_tilt) {
   Gap gap;
   const Eigen::Vector3d arm = chassis.R_WB * wheel.hub_C;
   gap.hub_W = chassis.p_WC + arm;
   const SurfacePoint ground = surface_at(terrain, gap.hub_W.x(), gap.hub_W.y());
   gap.slope_normal = {-ground.gradient.x(), -ground.gradient.y(), 1.0};
-  const double tilt = std::max(chassis.R_WB(2, 2), kLeastUprightness);
-  gap.deflection_m = wheel.free_radius_m / tilt - (gap.hub_W.z() - ground.height_m);
+  gap.deflection_m = wheel.free_radius_m * per_tilt - (gap.hub_W.z() - ground.height_m);
   gap.rate_mps = -gap.slope_normal.dot(point_velocity(chassis.v_W, chassis.omega_W, arm));
   gap.on_terrain = ground.inside;
   return gap;
@@ -69,9 +68,11 @@ PerWheel<WheelDefinition> define_wheels(const Vehicle& vehicle, const ChassisMas
 PerWheel<WheelContact> touch_ground(const Heightfield& terrain, const ChassisState& chassis,
                                     std::span<const WheelDefinition> wheels,
                                     double curvature_per_m) {
+  const double per_tilt = 1.0 / std::max(chassis.R_WB(2, 2), kLeastUprightness);
   PerWheel<Gap> gaps;
-  for (std::size_t i = 0; i < wheels.size(); ++i)
-    gaps[i] = measure_gap(terrain, chassis, wheels[i]);
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    gaps[i] = measure_gap(terrain, chassis, wheels[i], per_tilt);
+  }
 
   PerWheel<WheelContact> contacts;
   const Eigen::Vector3d forward = chassis.R_WB.col(0);
@@ -83,7 +84,8 @@ PerWheel<WheelContact> touch_ground(const Heightfield& terrain, const ChassisSta
     contact.on_terrain = gap.on_terrain;
     contact.hub_arm = gap.hub_W - chassis.p_WC;
     contact.normal_arm = contact.hub_arm;
-    contact.normal = gap.slope_normal.normalized();
+    const double steepness = gap.slope_normal.norm();
+    contact.normal = gap.slope_normal / steepness;
 
     const bool pivoted = wheel.oscillation_max_rad > 0.0;
     double deflection_m = gap.deflection_m;
@@ -101,23 +103,23 @@ PerWheel<WheelContact> touch_ground(const Heightfield& terrain, const ChassisSta
       }
     }
     if (deflection_m > 0.0) {
-      const double scale = gap.slope_normal.norm();
       const double spring_n = wheel.stiffness_n_per_m * deflection_m;
       // A tyre does not pull: damping can at most cancel the spring.
       const double damping_n = std::max(wheel.damping_n_s_per_m * rate_mps, -spring_n);
       contact.deflection_m = deflection_m;
-      contact.load_n = scale * (spring_n + damping_n);
-      contact.damping_n = scale * damping_n;
+      contact.load_n = steepness * (spring_n + damping_n);
+      contact.damping_n = steepness * damping_n;
     }
 
     Eigen::Vector3d heading = forward;
     contact.axle = left;
     if (wheel.steered) {
-      const double angle_rad = wheel_angle_rad(curvature_per_m, wheel.p_B);
-      const double cosine = std::cos(angle_rad);
-      const double sine = std::sin(angle_rad);
-      heading = cosine * forward + sine * left;
-      contact.axle = cosine * left - sine * forward;
+      // Cosine and sine of wheel_angle_rad().
+      const Eigen::Vector2d heading_B =
+          Eigen::Vector2d(1.0 - wheel.p_B.y() * curvature_per_m, wheel.p_B.x() * curvature_per_m)
+              .normalized();
+      heading = heading_B.x() * forward + heading_B.y() * left;
+      contact.axle = heading_B.x() * left - heading_B.y() * forward;
     }
     contact.along = (heading - heading.dot(contact.normal) * contact.normal).normalized();
     contact.across = contact.normal.cross(contact.along);

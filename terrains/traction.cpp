@@ -7,6 +7,14 @@
 namespace headland {
 namespace {
 
+// 1 - exp(-x) for x >= 0, in a fraction of the time of expm1: every wheel asks several times a
+// step.
+double risen(double x) {
+  constexpr double kSeries = 1e-3;  // below it four terms are exact to rounding
+  if (x < kSeries) return x * (1.0 - x * (1.0 / 2.0 - x * (1.0 / 6.0 - x / 24.0)));
+  return 1.0 - std::exp(-x);
+}
+
 constexpr double kTyreResistance = 0.04;  // Brixius, both in gross traction and motion resistance
 
 Traction traction_by(const BrixiusSoil& soil, const TyreSize& tyre, double load_n,
@@ -16,7 +24,7 @@ Traction traction_by(const BrixiusSoil& soil, const TyreSize& tyre, double load_
                           (1.0 + 5.0 * std::min(deflection_m / tyre.section_height_m, 1.0)) /
                           (1.0 + 3.0 * tyre.width_m / tyre.diameter_m);
   Traction traction;
-  traction.full_pull = -0.88 * std::expm1(-0.1 * mobility);
+  traction.full_pull = 0.88 * risen(0.1 * mobility);
   traction.slip_stiffness = 7.5;
   traction.tyre_resistance = kTyreResistance;
   traction.soil_resistance = 1.0 / mobility;
@@ -50,7 +58,7 @@ Traction traction_on(const Soil& soil, const TyreSize& tyre, double load_n, doub
 }
 
 double gross_pull(const Traction& traction, double u) {
-  if (traction.pacejka_c == 0.0) return -traction.full_pull * std::expm1(-u);
+  if (traction.pacejka_c == 0.0) return traction.full_pull * risen(u);
   const double x = u / traction.pacejka_c;  // B s, for u = B C s
   const double bent = x - traction.pacejka_e * (x - std::atan(x));
   return traction.full_pull * std::sin(traction.pacejka_c * std::atan(bent));
