@@ -37,6 +37,7 @@ double speed_in_headland(const Vehicle& vehicle, const Drive& drive) {
   }
   DriverCommand command;
   command.wheel_torque_nm = drive.torque_nm;
+  command.direction = 1.0;
   for (double t_s = 0.0; t_s < drive.time_s; t_s += kStep_s) {
     step_machine(machine, command, {}, 0.0, kStep_s, world, state);
   }

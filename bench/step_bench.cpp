@@ -96,6 +96,7 @@ Contestant our_machine(const Scene& scene) {
             stand(scene.machine, {0.0, 0.0}, 0.0, *world);
             DriverCommand command;
             command.working = true;
+            command.direction = 1.0;
             return [&scene, command, world, state, speed_mps = 0.0]() mutable {
               command.wheel_torque_nm =
                   force_n(scene.mass_kg, speed_mps) * scene.vehicle.rear.radius_m;

@@ -171,6 +171,7 @@ DriverCommand drive(const Route& route, const Vehicle& vehicle, const DriverView
     command.hold = state.starting;
     if (command.hold) return command;
   }
+  command.direction = run.gear == Gear::kForward ? 1.0 : -1.0;
   command.wheel_torque_nm = wheel_torque(route, vehicle, view, mass_kg, dt_s, state);
   if (vehicle.steering.kind == SteeringKind::kSkid) {
     const double rate_rad_per_s = view.speed_mps * curvature_of(vehicle, state.steer_rad);

@@ -26,6 +26,7 @@ struct DriverCommand {
   double wheel_torque_nm = 0.0;  // all driven wheels together
   double yaw_torque_nm = 0.0;    // couple about z, of a vehicle that steers by its wheels' speeds
   bool hold = false;             // brakes set
+  double direction = 0.0;        // of travel that is meant: 1, -1 (reverse), 0 on the spot
   int segment = 0;               // of the path, where the vehicle is
   bool working = false;          // implement fully down on a working segment
   bool lifting = false;

@@ -190,7 +190,8 @@ DrivetrainCommand command_drive(const Vehicle& vehicle, const MotorLayout& layou
     const double moving_mps = drivetrain.motor_per_wheel
                                   ? axle.radius_m * speed_rad_per_s / drivetrain.gear_ratio
                                   : request.speed_mps;
-    const bool braking = wanted_nm * moving_mps < 0.0 && std::abs(moving_mps) > kNoMotion_mps;
+    const bool against = wanted_nm * moving_mps < 0.0 && std::abs(moving_mps) > kNoMotion_mps;
+    const bool braking = against && wanted_nm * request.direction <= 0.0;
     double to_motor_nm = wanted_nm;
     if (braking) {
       const bool regenerates =
@@ -204,8 +205,8 @@ DrivetrainCommand command_drive(const Vehicle& vehicle, const MotorLayout& layou
         request.available_w / layout.motors, request.acceptable_w / layout.motors);
     command.motor_nm[motor_index] = motor.torque_nm;
     const double driven_nm = motor.torque_nm * drivetrain.gear_ratio * through_gear;
-    if (!braking) command.clipped = command.clipped || motor.clipped;
-    const double brake_nm = braking ? std::min(std::abs(wanted_nm - driven_nm),
+    if (!against) command.clipped = command.clipped || motor.clipped;
+    const double brake_nm = against ? std::min(std::abs(wanted_nm - driven_nm),
                                                drivetrain.brake_torque_max_nm / layout.motors)
                                     : 0.0;
     const auto wheels = std::count(layout.motor_of.begin(), layout.motor_of.end(), m);

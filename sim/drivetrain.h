@@ -39,6 +39,7 @@ PerMotor<double> motor_speeds(const MotorLayout& layout, const PerWheel<double>&
 struct DriveRequest {
   PerMotor<double> wheel_torque_nm{};  // of each motor's wheels together
   bool hold = false;                   // brakes set fully
+  double direction = 0.0;              // of travel that is meant: 1, -1, or 0 for neither
   double speed_mps = 0.0;              // of the vehicle along x
   PerMotor<double> motor_speed_rad_per_s{};
   double available_w = 0.0;   // electrical, all motors together, >= 0
@@ -76,8 +77,10 @@ struct DrivetrainCommand {
   bool clipped = false;
 };
 
-// Braking goes to a motor up to its regeneration fraction above the least speed for it, the rest
-// to brakes: of all wheels in proportion to their load, or of the motor's own wheel.
+// Torque against the motion brakes, unless it acts in the direction that is meant: a vehicle that
+// rolls back while it pulls away. Braking goes to a motor up to its regeneration fraction above the
+// least speed for it, the rest to brakes: of all wheels in proportion to their load, or of the
+// motor's own wheel. Pulling away is all the motor's; brakes give what it cannot.
 DrivetrainCommand command_drive(const Vehicle& vehicle, const MotorLayout& layout,
                                 const PerWheel<WheelContact>& contacts,
                                 const DriveRequest& request);

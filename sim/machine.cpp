@@ -147,6 +147,7 @@ StepReport step_machine(const Machine& machine, const DriverCommand& command, St
   limit_slip(vehicle, machine.motors, machine.wheels, report.contacts, state.wheels, chassis,
              request.wheel_torque_nm);
   request.hold = command.hold;
+  request.direction = command.direction;
   request.speed_mps = speed_mps;
   request.motor_speed_rad_per_s =
       motor_speeds_now(machine, report.contacts, state.wheels, chassis.omega_W);

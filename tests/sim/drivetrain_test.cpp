@@ -60,11 +60,13 @@ struct Rig {
     for (WheelContact& contact : contacts) contact.load_n = 1000.0;
     contacts[0].load_n = 3000.0;
   }
-  DrivetrainCommand command(double wanted_nm, double speed_mps, double yaw_torque_nm = 0.0) const {
+  DrivetrainCommand command(double wanted_nm, double speed_mps, double yaw_torque_nm = 0.0,
+                            double direction = 0.0) const {
     const MotorLayout layout = motor_layout(vehicle);
     DriveRequest request;
     request.wheel_torque_nm = split_torque(vehicle, layout, contacts, wanted_nm, yaw_torque_nm);
     request.speed_mps = speed_mps;
+    request.direction = direction;
     request.motor_speed_rad_per_s.fill(vehicle.drivetrain.gear_ratio * speed_mps /
                                        wheels[0].radius_m);
     request.available_w = request.acceptable_w = kPlenty_w;
@@ -110,6 +112,19 @@ TEST(Drivetrain, DrivesAVehicleThatHasSunkBackByAHair) {
   EXPECT_NEAR(rig.command(400.0, -1e-9).wheels[0].drive_nm, 200.0, 1e-6);
   EXPECT_EQ(rig.command(400.0, -1e-9).wheels[0].brake_max_nm, 0.0);
   EXPECT_GT(rig.command(400.0, -0.1).wheels[0].brake_max_nm, 0.0);
+}
+
+// Torque in the direction that is meant drives whichever way the vehicle still rolls, as a motor
+// does that pulls away on a slope; the same torque against that direction brakes.
+TEST(Drivetrain, PullsAwayWhileItRollsBack) {
+  const Rig rig;
+  const DrivetrainCommand uphill = rig.command(400.0, -0.1, 0.0, 1.0);
+  EXPECT_NEAR(uphill.wheels[0].drive_nm, 200.0, 1e-6);
+  EXPECT_EQ(uphill.wheels[0].brake_max_nm, 0.0);
+  EXPECT_GT(uphill.motor_nm[0], 0.0);
+  const DrivetrainCommand braked = rig.command(400.0, -0.1, 0.0, -1.0);
+  EXPECT_EQ(braked.wheels[0].drive_nm, 0.0);
+  EXPECT_GT(braked.wheels[0].brake_max_nm, 0.0);
 }
 
 // Only beyond what tyres need to pull, in proportion, and only where wheels have motors of their
