@@ -35,6 +35,17 @@ bool work_ahead(const Route& route, const RoutePlace& place, double distance_m) 
   return false;
 }
 
+// How far it comes while the implement is lowered if it speeds up as it may here.
+double lowering_way_m(const Route& route, const Vehicle& vehicle, const DriverView& view,
+                      const RoutePlace& place) {
+  const double speed_mps = std::abs(view.speed_mps);
+  const double most_mps2 = vehicle.driver.max_acceleration_mps2;
+  const double lowering_s = vehicle.implement.lift_time_s;
+  const double gain_mps = std::max(0.0, speed_limit_mps(route, place) - speed_mps);
+  const double speeding_s = std::min(lowering_s, gain_mps / most_mps2);
+  return speed_mps * lowering_s + most_mps2 * speeding_s * (lowering_s - 0.5 * speeding_s);
+}
+
 // Angle [rad] that a skid-steered vehicle has to turn on the spot before it starts its run; 0 when
 // it points the right way.
 double heading_to_turn(const Route& route, const Vehicle& vehicle, const DriverView& view,
@@ -53,7 +64,7 @@ void move_implement(const Route& route, const Vehicle& vehicle, const DriverView
   const bool pivoting = state.starting && heading_to_turn(route, vehicle, view, state) != 0.0;
   const bool lower =
       !pivoting &&
-      (works || work_ahead(route, state.place, std::abs(view.speed_mps) * implement.lift_time_s));
+      (works || work_ahead(route, state.place, lowering_way_m(route, vehicle, view, state.place)));
   command.lifting = !lower && state.lowered > 0.0;
   state.lowered = std::clamp(state.lowered + (lower ? lift_step : -lift_step), 0.0, 1.0);
   command.working = works && state.lowered >= 1.0;

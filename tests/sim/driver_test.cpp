@@ -56,5 +56,20 @@ TEST(Driver, TurnsItsWheelsBeforeItMovesOff) {
   EXPECT_NEAR(steps / kRate_hz, expected_s, 0.02);
 }
 
+// However slowly it comes and however much it speeds up.
+TEST(Driver, HasTheImplementDownWhereWorkBegins) {
+  const Vehicle vehicle = load_vehicle("transplanter");
+  constexpr double kStep_m = 0.01;  // a step at work, and what it is beside its path
+  for (const double ahead_m : {0.5, 1.0, 2.0, 4.0}) {
+    Path path;
+    test::extend(path, PathKind::kTransit, Gear::kForward, false, ahead_m, 0.0);
+    test::extend(path, PathKind::kSwath, Gear::kForward, true, 1.0, 0.0);
+    const RunRecord run = test::run(path, vehicle, test::plane(0.0, 0.0), test::soil_named("firm"));
+    ASSERT_FALSE(run.footprints.empty());
+    EXPECT_NEAR(run.footprints.front().left_W.x(), ahead_m + vehicle.implement.x_B_m, kStep_m)
+        << ahead_m;
+  }
+}
+
 }  // namespace
 }  // namespace headland
