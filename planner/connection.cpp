@@ -15,7 +15,7 @@ constexpr int kMaxNodesPerRoute = 20000;
 // A connection keeps this much less than an end that gives way, for its own rounding [m].
 constexpr double kSame_m = 1e-4;
 
-// Calls visit(pose) at most kPathSpacing_m apart, from start to end, until it returns false;
+// Calls visit(pose) at most kLookSpacing_m apart, from start to end, until it returns false;
 // visit may ask to skip ahead by returning how far [m] it wants to.
 template <typename Visit>  // double(const Pose&), negative to stop
 bool walk(const Pose& from, const std::vector<Arc>& arcs, Visit visit) {
@@ -23,7 +23,7 @@ bool walk(const Pose& from, const std::vector<Arc>& arcs, Visit visit) {
   double skip_m = visit(start);
   if (skip_m < 0.0) return false;
   for (const Arc& arc : arcs) {
-    const int steps = std::max(1, static_cast<int>(std::ceil(arc.length_m / kPathSpacing_m)));
+    const int steps = std::max(1, static_cast<int>(std::ceil(arc.length_m / kLookSpacing_m)));
     const double step_m = arc.length_m / steps;
     for (int i = 1; i <= steps; ++i) {
       skip_m -= step_m;

@@ -10,7 +10,11 @@
 
 namespace headland {
 
-// Whether the hull fits all along the arcs, looked at every kPathSpacing_m.
+// Between places where the hull is looked at: its corners come no deeper into anything between two
+// of them than 0.01 m.
+inline constexpr double kLookSpacing_m = 0.05;
+
+// Whether the hull fits all along the arcs, looked at every kLookSpacing_m.
 bool fits_along(const FreeSpace& space, const Pose& from, const std::vector<Arc>& arcs,
                 double clearance_m);
 

@@ -13,6 +13,8 @@ constexpr double kDrawStep_m = 0.5;
 // A run is entered straight for this long before its begin: tracking errors of the turn fade, which
 // would leave slivers unworked beside it.
 constexpr double kSettling_m = 1.0;
+// Walls beside a run's begin are passed on its line for up to this long.
+constexpr double kAlongWalls_m = 12.0;
 constexpr int kNodesPerWay = 6000;
 
 // B's pose when the implement is `at_m` along the run.
@@ -30,20 +32,22 @@ bool has_room(const GridJoining& joining, const Pose& pose) {
          fits(joining.space, {pose.p_W - clearance_W, pose.heading_rad}, -kFitTolerance_m);
 }
 
-// How far before its begin a run is entered: from where the hull keeps the clearance, and by
-// kSettling_m more, as far as there is room.
+// How far before its begin a run is entered: from where the hull keeps the clearance for
+// kSettling_m on end, as far as there is room. Where the walls beside it go on for long it is
+// entered between them.
 double settling_run_in_m(const GridJoining& joining, const GridRun& run) {
   const double hull_m = joining.space.hull.front_m + joining.space.hull.rear_m;
-  double run_in = 0.0;
+  double between_m = 0.0;
   double free_m = -kPathSpacing_m;  // of it with the clearance
-  while (free_m < kSettling_m && run_in < hull_m + kSettling_m) {
+  for (double run_in = 0.0; run_in < kAlongWalls_m + kSettling_m; run_in += kPathSpacing_m) {
     const Pose pose = pose_at(joining, run, run.begin_m - run_in);
-    if (fits(joining.space, pose, joining.connection.clearance_m)) free_m += kPathSpacing_m;
-    if (free_m >= kSettling_m) break;
+    const bool free = fits(joining.space, pose, joining.connection.clearance_m);
+    free_m = free ? free_m + kPathSpacing_m : -kPathSpacing_m;
+    if (free_m >= kSettling_m) return run_in;
+    if (run_in < hull_m + kSettling_m) between_m = run_in;
     if (!has_room(joining, pose_at(joining, run, run.begin_m - run_in - kPathSpacing_m))) break;
-    run_in += kPathSpacing_m;
   }
-  return run_in;
+  return between_m;
 }
 
 bool turn_joins(const GridJoining& joining, const GridRun& from, const GridRun& to) {
