@@ -5,6 +5,7 @@
 
 #include "planner/arcs.h"
 #include "sim/chassis.h"
+#include "vehicle_models/vehicle_figures.h"
 
 namespace headland {
 namespace {
@@ -12,13 +13,14 @@ namespace {
 constexpr double kStopWithin_m = 0.01;  // of a run's end: brakes are set
 constexpr double kStandstill_mps = 0.01;
 constexpr double kSteerReady_rad = 0.05;  // steering error at which a run may start
-constexpr double kSpeedGain_per_s = 3.0;
-constexpr double kSpeedIntegralGain_per_s2 = 1.5;
+constexpr double kSpeedGain_per_s = 5.0;
+constexpr double kSpeedIntegralGain_per_s2 = 6.25;  // critically damped
 constexpr double kSpeedIntegralMax_mps2 = 6.0;
 constexpr double kYawGain_per_s = 30.0;
 constexpr double kYawIntegralGain_per_s2 = 300.0;
 constexpr double kPivotReady_rad = 0.02;     // heading error at which a pivot is done
 constexpr double kPivotGain_per_s = 2.0;     // yaw rate per heading error, up to the limit
+constexpr double kPivotAuthority = 0.3;      // least share of way along x that leads to the line
 constexpr double kReferenceLead_mps = 0.3;   // the reference waits for a vehicle that lags by this
 constexpr double kLeastLateralShare = 0.25;  // of the lateral acceleration, kept on any side slope
 
@@ -54,6 +56,23 @@ double heading_to_turn(const Route& route, const Vehicle& vehicle, const DriverV
   const RouteRun& run = route.runs[state.place.run];
   const double to_turn_rad = wrap_angle(route.points[run.first].heading_rad - view.yaw_rad);
   return std::abs(to_turn_rad) > kPivotReady_rad ? to_turn_rad : 0.0;
+}
+
+// Speed along x while turning on the spot that ends on the line of the run to come: turning about
+// an axle moves the vehicle off it, and so does a slope.
+double speed_in_pivot_mps(const Route& route, const Vehicle& vehicle, const DriverView& view,
+                          double to_turn_rad, double rate_rad_per_s, const DriverState& state) {
+  const RoutePoint& first = route.points[route.runs[state.place.run].first];
+  const Eigen::Vector2d across_W = left_of(first.heading_rad);
+  const Eigen::Vector2d now_W = direction_of(view.yaw_rad);
+  const Eigen::Vector2d turned_W =
+      ahead_of_pivot_m(vehicle) * (direction_of(first.heading_rad) - now_W);
+  const double off_m = across_W.dot(position_now(view) + turned_W - first.p_W);
+  const double per_metre = across_W.dot(now_W);  // of way along x
+  if (std::abs(per_metre) < kPivotAuthority) return 0.0;
+  const double left_s = std::abs(to_turn_rad / rate_rad_per_s);
+  const double most_mps = vehicle.driver.turn_speed_mps;
+  return std::clamp(-off_m / (per_metre * left_s), -most_mps, most_mps);
 }
 
 void move_implement(const Route& route, const Vehicle& vehicle, const DriverView& view, double dt_s,
@@ -169,11 +188,11 @@ DriverCommand drive(const Route& route, const Vehicle& vehicle, const DriverView
       const double rate_rad_per_s =
           std::clamp(kPivotGain_per_s * to_turn_rad, -most_rad_per_s, most_rad_per_s);
       command.yaw_torque_nm = yaw_torque(vehicle, view, rate_rad_per_s, dt_s, state);
-      // It stays about where it is: held against the grade and its speed, not against what it has
-      // drifted, which would take the torque that turns it.
-      command.wheel_torque_nm =
-          mass_kg * vehicle.rear.radius_m *
-          (kGravity_mps2 * std::sin(view.pitch_rad) - kSpeedGain_per_s * view.speed_mps);
+      const double speed_mps =
+          speed_in_pivot_mps(route, vehicle, view, to_turn_rad, rate_rad_per_s, state);
+      command.wheel_torque_nm = mass_kg * vehicle.rear.radius_m *
+                                (kGravity_mps2 * std::sin(view.pitch_rad) +
+                                 kSpeedGain_per_s * (speed_mps - view.speed_mps));
       return command;
     }
     const bool lowering = works_at(route, state.place.index) && state.lowered < 1.0;

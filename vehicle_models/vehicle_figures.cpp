@@ -71,6 +71,11 @@ AxleLoads static_axle_loads(const Vehicle& vehicle) {
   return loads;
 }
 
+double ahead_of_pivot_m(const Vehicle& vehicle) {
+  const AxleLoads loads = static_axle_loads(vehicle);
+  return loads.rear_n >= loads.front_n ? -vehicle.rear.x_B_m : -vehicle.front.x_B_m;
+}
+
 TyreSize tyre_size(const Axle& axle, double load_n) {
   const double sag_m = load_n / axle.vertical_stiffness_n_per_m;
   return {axle.width_m, 2.0 * (axle.radius_m + sag_m), axle.section_height_m};

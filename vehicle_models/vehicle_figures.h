@@ -28,6 +28,11 @@ struct AxleLoads {
 };
 AxleLoads static_axle_loads(const Vehicle& vehicle);
 
+// How far [m] B's origin lies ahead of the axle that a skid-steered vehicle turns about on the spot
+// and on tight curves: the tyres of both axles slide sideways with the same friction, so the axle
+// that carries more stays where it is.
+double ahead_of_pivot_m(const Vehicle& vehicle);
+
 // Centre of mass of the machine with a mounted implement, in B [m].
 Eigen::Vector3d total_com_B(const Vehicle& vehicle);
 

@@ -30,6 +30,8 @@ inline Heightfield plane(double slope_x, double slope_y, double reach_m = 200.0)
 }
 
 // Distance from the path, root mean square over the rows and over the rest.
+inline constexpr double kRows_m = 0.03;  // targets with ideal positioning
+inline constexpr double kTurns_m = 0.15;
 struct TrackingError {
   double rows_m = 0.0;
   double turns_m = 0.0;

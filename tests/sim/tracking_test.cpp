@@ -6,8 +6,6 @@
 namespace headland {
 namespace {
 
-constexpr double kRows_m = 0.03;  // root mean square, ideal positioning
-constexpr double kTurns_m = 0.15;
 constexpr double kWorst_m = 0.20;
 constexpr double kNoisyRows_m = 0.05;  // with 2 cm of noise
 
@@ -35,8 +33,8 @@ TEST_P(Tracking, RowsAndTurnsStayWithinTheTargets) {
     const RunRecord run = drive(ground.terrain);
     ASSERT_EQ(run.outcome, Outcome::kFinished) << ground.name << ": " << run.outcome_detail;
     const test::TrackingError error = test::tracking_error(path, run);
-    EXPECT_LT(error.rows_m, kRows_m) << ground.name;
-    EXPECT_LT(error.turns_m, kTurns_m) << ground.name;
+    EXPECT_LT(error.rows_m, test::kRows_m) << ground.name;
+    EXPECT_LT(error.turns_m, test::kTurns_m) << ground.name;
     EXPECT_LT(std::abs(run.peaks.cross_track_working_m.value), kWorst_m) << ground.name;
     EXPECT_LT(std::abs(run.peaks.cross_track_turning_m.value), kWorst_m) << ground.name;
   }
@@ -63,8 +61,8 @@ TEST_P(Tracking, KeepsToTheRowsWithUsualLatencies) {
   options.steering_latency_s = 0.1;
   const RunRecord run = drive(test::hills(1.0, 30.0, 120.0), options);
   ASSERT_EQ(run.outcome, Outcome::kFinished) << run.outcome_detail;
-  EXPECT_LT(test::tracking_error(path, run).rows_m, kRows_m);
-  EXPECT_LT(test::tracking_error(path, run).turns_m, kTurns_m);
+  EXPECT_LT(test::tracking_error(path, run).rows_m, test::kRows_m);
+  EXPECT_LT(test::tracking_error(path, run).turns_m, test::kTurns_m);
 }
 
 INSTANTIATE_TEST_SUITE_P(Vehicles, Tracking, testing::Values("transplanter", "utility_tractor"));
