@@ -171,8 +171,7 @@ std::string run_csv(const std::vector<RunSample>& samples, const GeoFrame& frame
   return fmt::to_string(text);
 }
 
-std::vector<RunSample> read_run_csv(const std::filesystem::path& file) {
-  std::vector<RunSample> samples;
+void read_run_csv(const std::filesystem::path& file, std::vector<RunSample>& samples) {
   std::vector<NumberColumn> columns = number_columns<RunSample>(kRunColumns);
   columns.insert(columns.end(), {kSegmentIndex, {"implement_down", 0.0, 1.0, true}});
   read_number_table(file, columns, [&](std::span<const double> values) {
@@ -180,6 +179,11 @@ std::vector<RunSample> read_run_csv(const std::filesystem::path& file) {
     sample.segment = static_cast<int>(values[std::size(kRunColumns)]);
     sample.implement_down = values[std::size(kRunColumns) + 1] != 0.0;
   });
+}
+
+std::vector<RunSample> read_run_csv(const std::filesystem::path& file) {
+  std::vector<RunSample> samples;
+  read_run_csv(file, samples);
   return samples;
 }
 
@@ -195,14 +199,19 @@ std::string footprint_csv(const std::vector<FootprintSample>& footprints) {
   return fmt::to_string(text);
 }
 
-std::vector<FootprintSample> read_footprint_csv(const std::filesystem::path& file) {
-  std::vector<FootprintSample> footprints;
+void read_footprint_csv(const std::filesystem::path& file,
+                        std::vector<FootprintSample>& footprints) {
   std::vector<NumberColumn> columns = number_columns<FootprintSample>(kFootprintColumns);
   columns.push_back({"starts_strip", 0.0, 1.0, true});
   read_number_table(file, columns, [&](std::span<const double> values) {
     footprints.push_back(row_of<FootprintSample>(kFootprintColumns, values));
     footprints.back().starts_strip = values.back() != 0.0;
   });
+}
+
+std::vector<FootprintSample> read_footprint_csv(const std::filesystem::path& file) {
+  std::vector<FootprintSample> footprints;
+  read_footprint_csv(file, footprints);
   return footprints;
 }
 
@@ -233,8 +242,8 @@ std::string segments_csv(const Path& path, const std::vector<SegmentRecord>& seg
   return fmt::to_string(text);
 }
 
-std::vector<SegmentRecord> read_segments_csv(const std::filesystem::path& file, bool diverged) {
-  std::vector<SegmentRecord> segments;
+void read_segments_csv(const std::filesystem::path& file, bool diverged,
+                       std::vector<SegmentRecord>& segments) {
   std::vector<NumberColumn> columns = number_columns<SegmentRecord>(kSegmentColumns);
   for (const std::string& key : energy_keys()) columns.push_back({key});
   columns.push_back(kSegmentIndex);
@@ -250,6 +259,11 @@ std::vector<SegmentRecord> read_segments_csv(const std::filesystem::path& file, 
     record.cross_track_sum_m3 = last[1] * last[1] * record.distance_m;
     record.slip_sum_m = last[2] * record.distance_m;
   });
+}
+
+std::vector<SegmentRecord> read_segments_csv(const std::filesystem::path& file, bool diverged) {
+  std::vector<SegmentRecord> segments;
+  read_segments_csv(file, diverged, segments);
   return segments;
 }
 

@@ -31,6 +31,14 @@ std::vector<FootprintSample> read_footprint_csv(const std::filesystem::path& fil
 std::vector<SegmentRecord> read_segments_csv(const std::filesystem::path& file,
                                              bool diverged = false);
 
+// The same into a vector that keeps the rows before a faulty one when InputError is thrown: what
+// there is of a table that was cut off.
+void read_run_csv(const std::filesystem::path& file, std::vector<RunSample>& samples);
+void read_footprint_csv(const std::filesystem::path& file,
+                        std::vector<FootprintSample>& footprints);
+void read_segments_csv(const std::filesystem::path& file, bool diverged,
+                       std::vector<SegmentRecord>& segments);
+
 // Key of an energy cause in files: "rolling_resistance_j".
 std::string energy_key(EnergyCause cause);
 
