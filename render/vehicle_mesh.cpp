@@ -75,50 +75,6 @@ void append_shape(Mesh& mesh, const Shape& shape) {
   append(mesh, revolved_mesh(profile, kSides, colour), shape.X);
 }
 
-// Axis along y, centre at the origin.
-Mesh wheel_mesh(const Axle& axle) {
-  const double r = axle.radius_m;
-  const double w = axle.width_m;
-  constexpr int kSides = 40;
-  const std::array<Eigen::Vector2d, 8> tyre = {{{0.56 * r, -0.36 * w},
-                                                {0.62 * r, -0.50 * w},
-                                                {0.86 * r, -0.50 * w},
-                                                {0.95 * r, -0.40 * w},
-                                                {0.95 * r, 0.40 * w},
-                                                {0.86 * r, 0.50 * w},
-                                                {0.62 * r, 0.50 * w},
-                                                {0.56 * r, 0.36 * w}}};
-  const std::array<Eigen::Vector2d, 4> rim = {
-      {{0.0, -0.20 * w}, {0.56 * r, -0.36 * w}, {0.56 * r, 0.36 * w}, {0.0, 0.20 * w}}};
-  const std::array<Eigen::Vector2d, 4> hub = {
-      {{0.0, -0.34 * w}, {0.20 * r, -0.34 * w}, {0.20 * r, 0.34 * w}, {0.0, 0.34 * w}}};
-  Mesh about_z = revolved_mesh(tyre, kSides, kTyre);
-  append(about_z, revolved_mesh(rim, kSides, kRim), Eigen::Isometry3d::Identity());
-  append(about_z, revolved_mesh(hub, kSides / 2, kHub), Eigen::Isometry3d::Identity());
-
-  Mesh wheel;
-  append(wheel, about_z,
-         Eigen::Isometry3d(Eigen::AngleAxisd(-0.5 * std::numbers::pi, Point::UnitX())));
-  // Lugs slant from the middle outwards, alternately to either side. Their outermost corners are
-  // at the radius, so that the wheel stands on the ground.
-  constexpr int kLugs = 32;
-  constexpr double kSlant_rad = 0.6;
-  const Eigen::Vector2d half(0.028 * r, 0.55 * w);
-  const double across_m = half.x() * std::cos(kSlant_rad) + half.y() * std::sin(kSlant_rad);
-  const double top_m = std::sqrt(std::max(0.0, r * r - across_m * across_m));
-  const Mesh lug = box_mesh({-half.x(), 0.02 * w, 0.90 * r}, {half.x(), half.y(), top_m},
-                            mix(kTyre, {90, 90, 90}, 0.35));
-  for (int k = 0; k < kLugs; ++k) {
-    const double side = k % 2 == 0 ? 0.0 : std::numbers::pi;
-    const double slant = k % 2 == 0 ? kSlant_rad : -kSlant_rad;
-    const Eigen::Isometry3d X(
-        Eigen::AngleAxisd(2.0 * std::numbers::pi * k / kLugs, Point::UnitY()) *
-        Eigen::AngleAxisd(side + slant, Point::UnitZ()));
-    append(wheel, lug, X);
-  }
-  return wheel;
-}
-
 void append_wheels(Mesh& mesh, const Vehicle& vehicle, const RunSample& sample) {
   for (std::size_t i = 0; i < sample.wheel_angle_rad.size(); ++i) {
     const Axle& axle = i >= 2 ? vehicle.front : vehicle.rear;
@@ -250,6 +206,57 @@ std::vector<std::string> vehicle_notes(const Vehicle& vehicle) {
   const std::string mesh = body_mesh(vehicle).note;
   if (!mesh.empty() && !told) notes.push_back(mesh + " in the pictures");
   return notes;
+}
+
+Mesh wheel_mesh(const Axle& axle) {
+  const double r = axle.radius_m;
+  const double w = axle.width_m;
+  constexpr int kSides = 40;
+  const std::array<Eigen::Vector2d, 8> tyre = {{{0.56 * r, -0.36 * w},
+                                                {0.62 * r, -0.50 * w},
+                                                {0.86 * r, -0.50 * w},
+                                                {0.95 * r, -0.40 * w},
+                                                {0.95 * r, 0.40 * w},
+                                                {0.86 * r, 0.50 * w},
+                                                {0.62 * r, 0.50 * w},
+                                                {0.56 * r, 0.36 * w}}};
+  const std::array<Eigen::Vector2d, 4> rim = {
+      {{0.0, -0.20 * w}, {0.56 * r, -0.36 * w}, {0.56 * r, 0.36 * w}, {0.0, 0.20 * w}}};
+  const std::array<Eigen::Vector2d, 4> hub = {
+      {{0.0, -0.34 * w}, {0.20 * r, -0.34 * w}, {0.20 * r, 0.34 * w}, {0.0, 0.34 * w}}};
+  Mesh about_z = revolved_mesh(tyre, kSides, kTyre);
+  append(about_z, revolved_mesh(rim, kSides, kRim), Eigen::Isometry3d::Identity());
+  append(about_z, revolved_mesh(hub, kSides / 2, kHub), Eigen::Isometry3d::Identity());
+
+  Mesh wheel;
+  append(wheel, about_z,
+         Eigen::Isometry3d(Eigen::AngleAxisd(-0.5 * std::numbers::pi, Point::UnitX())));
+  // Lugs slant from the middle outwards, alternately to either side. Their outermost corners are
+  // at the radius, so that the wheel stands on the ground.
+  constexpr int kLugs = 32;
+  constexpr double kSlant_rad = 0.6;
+  const Eigen::Vector2d half(0.028 * r, 0.55 * w);
+  const double across_m = half.x() * std::cos(kSlant_rad) + half.y() * std::sin(kSlant_rad);
+  const double top_m = std::sqrt(std::max(0.0, r * r - across_m * across_m));
+  const Mesh lug = box_mesh({-half.x(), 0.02 * w, 0.90 * r}, {half.x(), half.y(), top_m},
+                            mix(kTyre, {90, 90, 90}, 0.35));
+  for (int k = 0; k < kLugs; ++k) {
+    const double side = k % 2 == 0 ? 0.0 : std::numbers::pi;
+    const double slant = k % 2 == 0 ? kSlant_rad : -kSlant_rad;
+    const Eigen::Isometry3d X(
+        Eigen::AngleAxisd(2.0 * std::numbers::pi * k / kLugs, Point::UnitY()) *
+        Eigen::AngleAxisd(side + slant, Point::UnitZ()));
+    append(wheel, lug, X);
+  }
+  return wheel;
+}
+
+Mesh implement_mesh(const Vehicle& vehicle, bool down) {
+  RunSample sample;
+  sample.implement_down = down;
+  Mesh mesh;
+  append_implement(mesh, vehicle, sample);
+  return mesh;
 }
 
 VehicleMesh vehicle_mesh(const Vehicle& vehicle, const RunSample& sample) {

@@ -21,6 +21,12 @@ struct VehicleMesh {
 // none or a mesh cannot be read.
 VehicleMesh body_mesh(const Vehicle& vehicle);
 
+// A wheel alone, its axis along y through the origin.
+Mesh wheel_mesh(const Axle& axle);
+
+// The implement alone in frame B, a trailed one straight behind; empty without one.
+Mesh implement_mesh(const Vehicle& vehicle, bool down);
+
 // The vehicle's notes, and why its body is a plain box unless they say so already.
 std::vector<std::string> vehicle_notes(const Vehicle& vehicle);
 
