@@ -10,11 +10,13 @@
 #include "apps/compare_summary.h"
 #include "apps/interrupt.h"
 #include "apps/progress.h"
+#include "apps/report_stage.h"
 #include "apps/terminal_text.h"
 #include "evaluate/atomic_file.h"
 #include "evaluate/comparison_drive.h"
 #include "evaluate/comparison_file.h"
 #include "evaluate/comparison_reader.h"
+#include "evaluate/results.h"
 #include "render/gnuplot.h"
 #include "terrains/input_error.h"
 #include "terrains/json_text.h"
@@ -22,7 +24,6 @@
 namespace headland {
 namespace {
 
-constexpr char kJsonFile[] = "compare.json";
 constexpr char kRunsFile[] = "runs.csv";
 constexpr char kTableFile[] = "table.csv";
 
@@ -77,22 +78,25 @@ int compare(const CompareCommand& command) {
   const ComparisonRanks ranks = rank_planners(comparison, runs);
   nlohmann::ordered_json json = comparison_json(comparison, runs, ranks, HEADLAND_VERSION);
   const std::filesystem::path folder = command.folder;
-  const std::vector<std::filesystem::path> outdated = earlier_pictures(folder / kJsonFile);
+  const std::vector<std::filesystem::path> outdated = earlier_pictures(folder / kComparisonFile);
   // The tables first: pictures that cannot be drawn cost nobody a run.
-  write_together(folder, {{kJsonFile, json_text(json, 1) + "\n"},
+  write_together(folder, {{kComparisonFile, json_text(json, 1) + "\n"},
                           {kRunsFile, comparison_runs_csv(comparison, runs)},
                           {kTableFile, comparison_table_csv(comparison, runs)}});
   for (const std::filesystem::path& picture : outdated) std::filesystem::remove(picture);
+  std::filesystem::remove(folder / kReportFile);
   if (!interrupted()) {
     std::vector<FileText> files = comparison_pictures(comparison, runs);
     for (const FileText& file : files) json["pictures"].push_back(file.name);
-    files.push_back({kJsonFile, json_text(json, 1) + "\n"});
+    files.push_back({kComparisonFile, json_text(json, 1) + "\n"});
     write_together(folder, files);
+    write_together(folder, {{kReportFile, comparison_report(folder)}});
   }
   if (command.json) {
     fmt::print("{}\n", json_text(json, 1));
   } else if (!command.quiet) {
-    fmt::print("{}\ntables and pictures are in {}\n", comparison_summary(comparison, runs, ranks),
+    fmt::print("{}\ntables, pictures and {} are in {}\n",
+               comparison_summary(comparison, runs, ranks), kReportFile,
                terminal_text(command.folder));
   }
   stop_if_interrupted();
@@ -118,7 +122,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       "Example:\n  headland compare examples/compare.yaml -o out/compare\n"
       "  headland compare examples/compare.yaml --drive -o out/compare\n\n"
       "Writes compare.json, runs.csv, table.csv, and for each map plans_MAP.png,\n"
-      "convergence_MAP.svg and plan_MAP_PLANNER.png.\n"
+      "convergence_MAP.svg and plan_MAP_PLANNER.png, and report.html that shows them.\n"
       "Exits with 0, 2 for bad input, 130 after Ctrl-C (finished runs are kept).");
   command->callback([given, &exit_code] { exit_code = compare(*given); });
 }

@@ -121,6 +121,8 @@ std::vector<FileText> comparison_pictures(const Comparison& comparison,
   return files;
 }
 
+std::string plans_picture_name(const std::string& map) { return file_name(kSheet, map); }
+
 std::vector<fs::path> earlier_pictures(const fs::path& compare_json) {
   std::vector<fs::path> pictures;
   if (!fs::is_regular_file(compare_json)) return pictures;

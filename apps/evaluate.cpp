@@ -5,8 +5,10 @@
 
 #include "apps/commands.h"
 #include "apps/interrupt.h"
+#include "apps/report_stage.h"
 #include "apps/summary.h"
 #include "apps/terminal_text.h"
+#include "evaluate/results.h"
 #include "terrains/json_text.h"
 
 namespace headland {
@@ -30,11 +32,13 @@ int evaluate(const CommonOptions& options) {
   const DriveResult result = drive_with_progress(job, options);
   stop_if_interrupted();
   draw_stage(job, size);
+  stop_if_interrupted();
+  report_stage(job);
   if (options.json) {
     fmt::print("{}\n", json_text(result.json, 2));
   } else if (!options.quiet) {
-    fmt::print("{}{}\nresults, tables and pictures are in {}\n", run_summary(job, result), made,
-               terminal_text(job.folder.string()));
+    fmt::print("{}{}\nresults, tables, pictures and {} are in {}\n", run_summary(job, result), made,
+               kReportFile, terminal_text(job.folder.string()));
   }
   return exit_code_of(result.verdict);
 }
@@ -42,7 +46,7 @@ int evaluate(const CommonOptions& options) {
 }  // namespace
 
 void add_evaluate_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("evaluate", "Plan, drive, judge and draw a scenario");
+  auto* command = app.add_subcommand("evaluate", "Plan, drive, judge, draw and report a scenario");
   auto options = std::make_shared<CommonOptions>();
   command->add_option("SCENARIO", options->scenario, "Scenario file (YAML)")->required();
   command->add_option("-o,--output", options->folder, "Folder for the results")->required();

@@ -43,6 +43,7 @@ int run(int argc, char** argv) {
   headland::add_audit_command(app, exit_code);
   headland::add_drive_command(app, exit_code);
   headland::add_render_command(app, exit_code);
+  headland::add_report_command(app, exit_code);
   headland::add_measure_command(app, exit_code);
   headland::add_compare_command(app, exit_code);
   headland::add_sweep_command(app, exit_code);

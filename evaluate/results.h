@@ -20,6 +20,7 @@ inline constexpr char kMetricsFile[] = "metrics.json";     // evaluate/metrics_f
 inline constexpr char kFieldPicture[] = "field.png";       // render/pictures.h
 inline constexpr char kViewPicture[] = "view.png";         // render/pictures.h
 inline constexpr char kEnergyPicture[] = "energy.png";     // render/pictures.h
+inline constexpr char kReportFile[] = "report.html";       // render/report_page.h
 
 // Removes the files of stages after the one that has just been done again, so that a folder never
 // mixes two runs. `first` and what follows it in the list above go.

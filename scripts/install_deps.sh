@@ -20,9 +20,13 @@ packages=(
   libsqlite3-dev libssl-dev
   # pictures
   libosmesa6-dev libassimp-dev libpng-dev libfreetype-dev fonts-dejavu-core gnuplot-nox
-  # tests and benchmarks
-  libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
+  # tests and benchmarks; the browser is for the report's page
+  libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev chromium
 )
+
+# Other ways to install these two bring both at once.
+command -v node >/dev/null || packages+=(nodejs)
+command -v npm >/dev/null || packages+=(npm)
 
 missing=()
 for package in "${packages[@]}"; do

@@ -32,6 +32,11 @@ check_format() {
   sources '*.cpp' '*.h' | xargs clang-format-14 --dry-run -Werror
 }
 
+# After the build, which fetches the formatter.
+check_web_format() {
+  npm --prefix web run --silent check
+}
+
 build() {
   cmake --preset "$1" && cmake --build --preset "$1" -j "$jobs"
 }
@@ -50,6 +55,7 @@ check_tidy() {
 stage "install" scripts/install_deps.sh
 stage "format" check_format
 stage "build release" build release
+stage "web format" check_web_format
 stage "tests release" run_tests release
 stage "build asan" build asan
 stage "tests asan" run_tests asan

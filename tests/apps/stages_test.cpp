@@ -28,7 +28,7 @@ TEST_F(StagesTest, EvaluateFillsTheFolderAndTellsInBothForms) {
   EXPECT_THAT(files_in("DIR"),
               UnorderedElementsAre("scenario.yaml", "plan.geojson", "path.geojson", "run.csv",
                                    "footprint.csv", "segments.csv", "metrics.json", "field.png",
-                                   "view.png", "energy.png"));
+                                   "view.png", "energy.png", "report.html"));
   EXPECT_EQ(result.out, text_of(folder_ / "DIR" / "metrics.json"));
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(result.exit_code == 1, json["verdict"]["grade"] == "FAIL");
@@ -42,6 +42,7 @@ TEST_F(StagesTest, SameSeedSameBytesAndStagesGiveTheBytesOfTheWhole) {
   ASSERT_EQ(headland("plan tiny.yaml -o C -q").exit_code, 0);
   ASSERT_LE(headland("drive C -q").exit_code, 1);
   ASSERT_EQ(headland("render C --size 640x400 -q").exit_code, 0);
+  ASSERT_EQ(headland("report C -q").exit_code, 0);
   for (const std::string& name : files_in("A")) {
     const std::string bytes = text_of(folder_ / "A" / name);
     EXPECT_TRUE(text_of(folder_ / "B" / name) == bytes) << name << " differs from run to run";
