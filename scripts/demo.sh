@@ -13,7 +13,7 @@ build/headland evaluate examples/demo.yaml -o out/demo || status=$?
 # 1 is a run whose verdict is FAIL: a result like any other.
 [ "$status" -le 1 ] || exit "$status"
 echo
-echo "Look at the pictures:"
+echo "Open out/demo/report.html in a browser, or look at the pictures:"
 echo "  out/demo/field.png    from above: what was covered how often, planned and driven path"
 echo "  out/demo/view.png     the terrain with the driven swaths and the machine where it ended"
 echo "  out/demo/energy.png   what every metre of the way cost the battery"

@@ -10,6 +10,7 @@ results=$(mktemp -d)
 trap 'rm -rf "$results"' EXIT
 build/headland evaluate examples/demo.yaml -o "$results" --quiet
 cp "$results"/{field,view,energy}.png docs/images/
+node web/pictures.js "$results/report.html" docs/images
 build/headland vehicle check four_wheel_steer_robot -o docs/images/four_wheel_steer_robot.png >/dev/null
 build/headland vehicle check utility_tractor --soil tilled --charts docs/images/utility_tractor_charts.svg \
   >/dev/null

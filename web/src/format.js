@@ -2,7 +2,8 @@
 const NONE = '–';
 
 export function fixed(value, decimals) {
-  return Number.isFinite(value) ? value.toFixed(decimals) : NONE;
+  // + 0 turns -0 into 0.
+  return Number.isFinite(value) ? (Number(value.toFixed(decimals)) + 0).toFixed(decimals) : NONE;
 }
 
 // About three significant digits: "0.052", "1.3", "412".

@@ -17,6 +17,7 @@ import {
   Scene,
   Shape,
   ShapeGeometry,
+  Vector2,
   Vector4,
   WebGLRenderTarget,
 } from 'three';
@@ -95,11 +96,12 @@ function stripMesh(json) {
 }
 
 // Teaches the terrain's material to wear the texture.
-function wear(material, texture, extent) {
+function wear(material, texture, extent, texel) {
   material.vertexColors = false;
   material.onBeforeCompile = (shader) => {
     shader.uniforms.worked = { value: texture };
     shader.uniforms.extent = { value: extent };
+    shader.uniforms.texel = { value: texel };
     for (const [name, colour] of Object.entries(colours))
       shader.uniforms[name] = { value: new Color(colour) };
     shader.vertexShader = shader.vertexShader
@@ -112,13 +114,24 @@ function wear(material, texture, extent) {
          varying vec2 vGround;
          uniform sampler2D worked;
          uniform vec4 extent;
-         uniform vec3 meadow, field, once, twice, more;`,
+         uniform vec2 texel;
+         uniform vec3 meadow, field, once, twice, more;
+         vec2 groundAt(vec2 offset) {
+           return texture2D(worked, (vGround - extent.xy) / extent.zw + offset * texel).rb;
+         }
+         // Of a texel and its neighbours: strips that meet within a hair leave no specks.
+         float median(float a, float b, float c, float d, float e) {
+           float f = max(min(a, b), min(c, d));
+           float g = min(max(a, b), max(c, d));
+           return max(min(e, f), min(max(e, f), g));
+         }`,
       )
       .replace(
         '#include <color_fragment>',
-        `vec4 ground = texture2D(worked, (vGround - extent.xy) / extent.zw);
-         float passes = ground.r / ${kPass.toFixed(3)};
-         vec3 soil = mix(meadow, field, ground.b);
+        `vec2 ground = groundAt(vec2(0.0));
+         float passes = median(groundAt(vec2(-1.0, 0.0)).x, groundAt(vec2(1.0, 0.0)).x,
+             groundAt(vec2(0.0, -1.0)).x, groundAt(vec2(0.0, 1.0)).x, ground.x) / ${kPass.toFixed(3)};
+         vec3 soil = mix(meadow, field, ground.y);
          soil = mix(soil, once, clamp(passes, 0.0, 1.0));
          soil = mix(soil, twice, clamp(passes - 1.0, 0.0, 1.0));
          soil = mix(soil, more, clamp(passes - 2.0, 0.0, 1.0));
@@ -142,7 +155,8 @@ export function createWorkedGround(renderer, data, terrain) {
     },
   );
   target.texture.anisotropy = renderer.capabilities.getMaxAnisotropy();
-  wear(terrain.material, target.texture, new Vector4(x0, y0, x1 - x0, y1 - y0));
+  const texel = new Vector2(1 / target.width, 1 / target.height);
+  wear(terrain.material, target.texture, new Vector4(x0, y0, x1 - x0, y1 - y0), texel);
   const camera = new OrthographicCamera(x0, x1, y1, y0, -1, 1);
   const field = new Scene();
   field.add(fieldMesh(data.field));

@@ -165,9 +165,13 @@ export async function createWorld(canvas, run) {
       orbit.target.copy(at);
       camera.position.copy(at).add(new Vector3(-0.66, 0.5, 0.56).multiplyScalar(reach));
     } else {
-      orbit.target.copy(middle()).add(new Vector3(0, 0, 0.07 * size));
-      const reach = Math.max(y1 - y0, (x1 - x0) / Math.min(camera.aspect, 1.7)) * 1.3;
-      camera.position.copy(middle()).add(new Vector3(-0.14, 0.9, 1.18).multiplyScalar(reach));
+      // With the field's long side across.
+      const tall = y1 - y0 > x1 - x0;
+      const [across, along] = tall ? [y1 - y0, x1 - x0] : [x1 - x0, y1 - y0];
+      const reach = 1.38 * Math.max(along, across / Math.min(camera.aspect, 1.7));
+      const turned = ([x, y, z]) => (tall ? new Vector3(-z, y, x) : new Vector3(x, y, z));
+      orbit.target.copy(middle()).add(turned([0, 0, 0.07 * across]));
+      camera.position.copy(middle()).add(turned([-0.14, 0.9, 1.18]).multiplyScalar(reach));
     }
     ask();
   };
