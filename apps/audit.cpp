@@ -34,6 +34,7 @@ struct AuditOptions {
   CommonOptions common;  // of it the scenario, the folder, the size, json and quiet
   std::string field;
   std::string field_crs;
+  std::string field_part;
   std::string path;
   std::string vehicle;
   std::optional<double> width_m;
@@ -42,6 +43,7 @@ struct AuditOptions {
 
 struct AuditInput {
   Field field;
+  std::vector<std::string> notes;
   Vehicle vehicle;
   double cell_m = 0.25;
 };
@@ -56,9 +58,13 @@ AuditInput input_of(const AuditOptions& options) {
   if (!scenario_file.empty() && !options.field_crs.empty()) {
     throw InputError("--crs", "", options.field_crs, "goes with --field; a scenario has field.crs");
   }
+  if (!scenario_file.empty() && !options.field_part.empty()) {
+    throw InputError("--part", "", options.field_part,
+                     "goes with --field; a scenario has field.part");
+  }
   if (!scenario_file.empty()) {
     const Scenario scenario = read_scenario(scenario_file);
-    input.field = read_field(scenario.field, scenario_file);
+    input.field = read_field(scenario.field, scenario_file, &input.notes);
     input.field.name = scenario.name;
     input.vehicle = load_vehicle(options.vehicle.empty() ? scenario.vehicle : options.vehicle);
     if (options.vehicle.empty()) {
@@ -72,7 +78,8 @@ AuditInput input_of(const AuditOptions& options) {
     FieldSource source;
     source.file = options.field;
     source.crs = options.field_crs;
-    input.field = read_field(source, options.field);
+    source.part = options.field_part;
+    input.field = read_field(source, options.field, &input.notes);
     input.vehicle = load_vehicle(options.vehicle);
   }
   if (options.width_m) {
@@ -126,6 +133,7 @@ std::string summary_of(const Audit& audit, const AuditInput& input) {
       share(coverage.outside_m2), audit.missed.size());
   const Verdict verdict = audit_verdict(audit);
   text += fmt::format("{}\n", passes(audit) ? "PASS: nothing is in the way of driving it" : "FAIL");
+  for (const std::string& note : input.notes) text += "note: " + terminal_text(note) + "\n";
   int number = 0;
   for (const Reason& reason : verdict.reasons) {
     text += fmt::format("  {}. {} at x {:.1f} m, y {:.1f} m\n", ++number, reason.text,
@@ -172,9 +180,11 @@ void add_audit_command(CLI::App& app, int& exit_code) {
                       "Scenario with field and vehicle; or give --field and --vehicle");
   command->add_option("--field", options->field, "Field: a vector file that GDAL reads");
   command->add_option("--crs", options->field_crs, "CRS of the field file (default: its own)");
+  command->add_option("--part", options->field_part,
+                      "Which of the field file's polygons: its name or number (default: the only)");
   command
       ->add_option("--path", options->path,
-                   "Path of any tool: lines (GeoJSON, GPKG, GPX...) or CSV; docs/paths.md")
+                   "Path of any tool: lines (GeoJSON, GPKG, GPX, ISOXML...) or CSV; docs/paths.md")
       ->required();
   command->add_option("--vehicle", options->vehicle, "Name of a built-in vehicle, or its folder");
   command->add_option("--width", options->width_m,

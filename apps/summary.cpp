@@ -254,7 +254,7 @@ std::string plan_summary(const Job& job, const PlanResult& result) {
     text += row(fmt::format("{} x {}", count, path_kind_name(kind)),
                 fmt::format("{:.0f} m", length_of_m(result.path, kind)));
   }
-  text += path_notes(result.path) + grid_notes(result);
+  text += path_notes(result.path) + grid_notes(result) + notes_text(job.stage.notes);
   for (const PathViolation& violation : result.path.violations) {
     text += fmt::format("  does not fit at x {:.1f}, y {:.1f} m: {}\n", violation.p_W.x(),
                         violation.p_W.y(), violation.what);
@@ -295,6 +295,7 @@ Json plan_summary_json(const Job& job, const PlanResult& result) {
                         {"y_m", tightest.p_W.y()}};
   }
   json["violations"] = result.path.violations.size();
+  json["notes"] = job.stage.notes;
   return json;
 }
 

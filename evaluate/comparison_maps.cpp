@@ -25,7 +25,8 @@ const std::vector<std::string> kMapKeys = {"name",  "file",   "cells",   "genera
                                            "count", "cell_m", "heights", "start",     "end"};
 const std::vector<std::string> kGeneratorKeys = {"columns", "rows", "blocked_share", "obstacles",
                                                  "seed"};
-const std::vector<std::string> kFieldKeys = {"file", "layer", "crs", "width_m", "direction_deg"};
+const std::vector<std::string> kFieldKeys = {"file", "layer",   "part",
+                                             "crs",  "width_m", "direction_deg"};
 
 constexpr NumberRange kCell{kMinGridCell_m, kMaxGridCell_m};
 
@@ -91,6 +92,7 @@ ComparedMap map_of_field(const YamlSection& entry, const YamlSection& section,
   FieldSource source;
   source.file = read_file_name(section, "file", folder);
   source.layer = read_word(section, "layer").value_or("");
+  source.part = read_word(section, "part").value_or("");
   source.crs = read_crs(section);
   const auto width_m = read_number(section, "width_m", kCell);
   if (source.file.empty() || !width_m) {

@@ -87,6 +87,7 @@ constexpr std::string_view kOtherKeys[] = {
     "field.cell_m",
     "field.margin_m",
     "field.layer",
+    "field.part",
     "field.crs",
     "field.boundary",
     "field.holes",

@@ -93,7 +93,8 @@ ObstacleSource read_obstacle(const YamlSection& section) {
 // All of a grid map's field but its entry is in the map.
 void refuse_beside_grid_map(const YamlSection& section, const FieldSource& field) {
   const YAML::Node mapping = section.node;
-  for (const std::string_view key : {"file", "boundary", "layer", "crs", "holes", "obstacles"}) {
+  for (const std::string_view key :
+       {"file", "boundary", "layer", "part", "crs", "holes", "obstacles"}) {
     const bool given = mapping[std::string(key)].IsDefined();
     if (!given || (key == "obstacles" && field.obstacles.empty())) continue;
     throw InputError(section.source, place_of(section, key), "",
@@ -122,6 +123,7 @@ FieldSource read_field_source(const YamlSection& top, const fs::path& folder) {
   FieldSource field;
   field.file = read_file_name(*section, "file", folder);
   field.layer = read_word(*section, "layer").value_or("");
+  field.part = read_word(*section, "part").value_or("");
   field.crs = read_crs(*section);
   field.boundary = read_points(*section, "boundary").value_or(Ring{});
   field.holes = read_point_lists(*section, "holes").value_or(std::vector<Ring>{});
@@ -144,6 +146,11 @@ FieldSource read_field_source(const YamlSection& top, const fs::path& folder) {
   if (field.file.empty() != inline_boundary) {
     throw InputError(top.source, place_of(*section, inline_boundary ? "boundary" : "file"), "",
                      "one of field.file, field.boundary and field.grid_map is needed, and no two");
+  }
+  for (const std::string_view key : {"layer", "part"}) {
+    if (inline_boundary && read_word(*section, key)) {
+      throw InputError(top.source, place_of(*section, key), "", "only with field.file");
+    }
   }
   if (!field.file.empty() && !field.holes.empty()) {
     throw InputError(top.source, place_of(*section, "holes"), "",

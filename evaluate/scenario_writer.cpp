@@ -54,6 +54,7 @@ void emit_field(YAML::Emitter& out, const FieldSource& field) {
   begin_section(out, "field");
   if (!field.file.empty()) emit(out, "file", field.file.string());
   if (!field.layer.empty()) emit(out, "layer", field.layer);
+  if (!field.part.empty()) emit(out, "part", field.part);
   if (!field.crs.empty()) emit(out, "crs", field.crs);
   if (!field.grid_map.empty()) {
     emit(out, "grid_map", field.grid_map.string());

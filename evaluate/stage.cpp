@@ -56,7 +56,7 @@ Vehicle vehicle_of(const Scenario& scenario, const std::string& source) {
 Stage load_stage(const Scenario& scenario) {
   const std::string source = scenario.file.string();
   Stage stage;
-  stage.field = read_field(scenario.field, source);
+  stage.field = read_field(scenario.field, source, &stage.notes);
   // Not after a file: the scenario's has another name among the results.
   stage.field.name = scenario.name;
   if (scenario.planner.grid) load_grid(scenario, stage);

@@ -15,7 +15,7 @@ packages=(
   # numerics
   libboost-dev libtbb-dev
   # files and the command line
-  liburdfdom-dev libtinyxml-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev
+  liburdfdom-dev libtinyxml-dev libpugixml-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev
   # runs as data
   libsqlite3-dev libssl-dev
   # pictures

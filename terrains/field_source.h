@@ -33,7 +33,9 @@ struct FieldSource {
   double cell_m = 1.0;
   double margin_m = 0.0;
   std::string layer;  // empty: the only or first layer with polygons
+  std::string part;   // of several polygons: a name (partfield: designator, code, id) or number
   std::string crs;
+  std::optional<GeoFrame> frame;  // to be brought into; none: one with its origin in the field
   Ring boundary;
   std::vector<Ring> holes;
   std::vector<ObstacleSource> obstacles;    // in `crs` (of the file: WGS 84 longitude, latitude)
@@ -41,16 +43,19 @@ struct FieldSource {
   std::string entry_place = "field.entry";  // in the scenario, for messages
 };
 
-// Reads a field from anything GDAL's vector drivers read (GeoJSON, GPKG, shapefile, KML, GML), or
-// from inline coordinates, brings it into the local frame W whose origin is the boundary's centre
-// rounded to 1e-4 deg, orients the rings and checks them. Features of the file with a property
-// `obstacle` (a kind: tree, pole, rock, wall, fence) are obstacles: points with radius_m, lines
-// with thickness_m, both with height_m; a line becomes one obstacle for each straight piece.
-// `source` is the scenario's file name for messages. Throws InputError: missing or unreadable file,
-// no polygon, several polygons (names the largest), no CRS, empty or self-intersecting boundary
-// (with the place), hole or obstacle or entry outside the field, NaN, degrees taken for metres, an
-// obstacle of unknown kind, wrong shape or size.
-Field read_field(const FieldSource& field, const std::string& source);
+// Reads a field from anything GDAL's vector drivers read (GeoJSON, GPKG, shapefile, KML, GML), from
+// ISO 11783-10 task data, or from inline coordinates, brings it into the local frame W whose origin
+// is the boundary's centre rounded to 1e-4 deg, orients the rings, checks them, and simplifies
+// those of more than kManyPoints points together within kOutlineRounding_m, which it tells `notes`.
+// Features of the file with a property `obstacle` (a kind: tree, pole, rock, wall, fence) are
+// obstacles: points with radius_m, lines with thickness_m, both with height_m; a line becomes one
+// obstacle for each straight piece. `source` is the scenario's file name for messages. Throws
+// InputError: missing or unreadable file, no polygon, several polygons and none chosen (lists
+// them), no CRS, empty or self-intersecting boundary (with the place), hole or obstacle or entry
+// outside the field, NaN, degrees taken for metres, an obstacle of unknown kind, wrong shape or
+// size.
+Field read_field(const FieldSource& field, const std::string& source,
+                 std::vector<std::string>* notes = nullptr);
 
 // Establishes Field's invariants on rings already in W: repeated points are merged, a closing
 // point is dropped, rings are oriented. Throws InputError as above. Not the entry's: see below.
@@ -65,6 +70,9 @@ void check_obstacle(const Field& field, const Obstacle& obstacle, const std::str
 
 // Points nearer than this are one point, and rings nearer than this touch.
 inline constexpr double kSamePlace_m = 1e-3;
+// Rings of more points are simplified; what is left out lies so near the lines that remain.
+inline constexpr std::size_t kManyPoints = 5000;
+inline constexpr double kOutlineRounding_m = 0.005;
 // Outside of these a boundary is taken for coordinates in the wrong CRS.
 inline constexpr double kMinFieldExtent_m = 1.0;
 inline constexpr double kMaxFieldExtent_m = 20e3;

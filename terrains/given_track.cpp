@@ -48,6 +48,10 @@ std::optional<std::size_t> column_of(const CsvTable& table, Names names, const s
   return std::nullopt;
 }
 
+constexpr std::array<std::string_view, 1> kReference = {"reference"};
+// GPX holds what else a track has in a name space of its own, which GDAL puts before the name.
+constexpr std::array<std::string_view, 3> kPrefixes = {"", "headland_", "ogr_"};
+
 struct Columns {
   std::size_t x = 0;
   std::size_t y = 0;
@@ -109,13 +113,27 @@ bool is_down(const std::string& word, const std::filesystem::path& path, const s
                    fmt::format("no point with the implement down: '{}' never is", name));
 }
 
-// Of the columns or properties that tell whether the implement is down, the first there is.
-std::string_view implement_property(const OGRFeature& feature) {
-  for (const std::string_view name : kImplement) {
-    const int index = feature.GetFieldIndex(name.data());
-    if (index >= 0 && feature.IsFieldSetAndNotNull(index)) return name;
+// Of the properties that tell the same, the first that the feature has.
+std::string property_of(const OGRFeature& feature, Names names) {
+  for (const std::string_view name : names) {
+    for (const std::string_view prefix : kPrefixes) {
+      std::string whole = std::string(prefix) + std::string(name);
+      const int index = feature.GetFieldIndex(whole.c_str());
+      if (index >= 0 && feature.IsFieldSetAndNotNull(index)) return whole;
+    }
   }
   return {};
+}
+
+// Whether a track is the vehicle's way; refuses words that do not tell, and two of them.
+bool is_of_vehicle(const std::string& word, bool first, bool so_far,
+                   const std::filesystem::path& path, const std::string& where) {
+  const bool vehicle = EQUAL(word.c_str(), "vehicle");
+  if (vehicle || EQUAL(word.c_str(), "implement")) {
+    if (first || vehicle == so_far) return vehicle;
+  }
+  throw InputError(path.string(), where, word,
+                   "vehicle or implement, the same in the whole file: whose way it is");
 }
 
 // The points of every line in the geometry; `count` counts those of the file.
@@ -147,6 +165,7 @@ GivenTrack track_from_csv(const std::filesystem::path& path, const GeoFrame& fra
   const Columns columns = position_columns(table, frame, path.string());
   const auto time = column_of(table, kTime, path.string());
   const auto implement = column_of(table, kImplement, path.string());
+  const auto reference = column_of(table, kReference, path.string());
   GivenTrack track;
   track.degrees = columns.degrees;
   std::vector<double> times_s;
@@ -166,6 +185,10 @@ GivenTrack track_from_csv(const std::filesystem::path& path, const GeoFrame& fra
     const bool down = !implement.has_value() ||
                       is_down(row.cells[*implement], path,
                               fmt::format("line {}, {}", row.line, table.header.cells[*implement]));
+    if (reference) {
+      track.of_vehicle = is_of_vehicle(row.cells[*reference], i == 0, track.of_vehicle, path,
+                                       fmt::format("line {}, reference", row.line));
+    }
     track.points.push_back({given, i > 0, after_pause, down, row.line});
   }
   if (!table.rows.empty() && std::ranges::none_of(track.points, &GivenPoint::down)) {
@@ -182,18 +205,24 @@ GivenTrack track_from_vector_file(const std::filesystem::path& path, const GeoFr
   std::string crs;
   std::size_t count = 0;  // of the points of lines, up or down
   std::size_t number = 0;
-  std::string_view told_by;
+  std::string told_by;
   for (OGRLayer* layer : dataset->GetLayers()) {
     for (const auto& feature : *layer) {
       ++number;
       const OGRGeometry* geometry = feature->GetGeometryRef();
       if (geometry == nullptr) continue;
       const std::unique_ptr<OGRGeometry> linear(geometry->getLinearGeometry());
-      const std::string_view name = implement_property(*feature);
-      const bool down = name.empty() || is_down(feature->GetFieldAsString(name.data()), path,
+      const std::string name = property_of(*feature, kImplement);
+      const bool down = name.empty() || is_down(feature->GetFieldAsString(name.c_str()), path,
                                                 fmt::format("feature {}, {}", number, name));
       if (!name.empty()) told_by = name;
+      const bool first = count == 0;
       append_lines(*linear, down, count, track);
+      const std::string whose = property_of(*feature, kReference);
+      if (whose.empty()) continue;
+      track.of_vehicle =
+          is_of_vehicle(feature->GetFieldAsString(whose.c_str()), first, track.of_vehicle, path,
+                        fmt::format("feature {}, {}", number, whose));
     }
     crs = crs_of(*layer);
     // The layers of a GPX file tell the same track several times.

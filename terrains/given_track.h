@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "terrains/geo_frame.h"
+#include "terrains/field.h"
 
 namespace headland {
 
@@ -24,6 +24,7 @@ struct GivenPoint {
 struct GivenTrack {
   std::vector<GivenPoint> points;
   bool degrees = false;
+  bool of_vehicle = false;          // of its reference point, not of the implement
   double longest_interval_s = 0.0;  // that is no pause; 0 without times
   std::string_view counted = "line";
 };
@@ -31,6 +32,9 @@ struct GivenTrack {
 // Both throw InputError as read_track does.
 GivenTrack track_from_csv(const std::filesystem::path& file, const GeoFrame& frame);
 GivenTrack track_from_vector_file(const std::filesystem::path& file, const GeoFrame& frame);
+// The guidance lines of the partfields whose lines reach into the field: those that are not
+// repeated, where there are any.
+GivenTrack track_from_task_data(const std::filesystem::path& file, const Field& field);
 
 // The middle value, of two the greater. At least one value.
 double median(std::vector<double> values);

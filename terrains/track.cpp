@@ -11,6 +11,7 @@
 #include "terrains/field_source.h"
 #include "terrains/given_track.h"
 #include "terrains/input_error.h"
+#include "terrains/task_data.h"
 #include "terrains/terrain_source.h"
 
 namespace headland {
@@ -126,6 +127,7 @@ bool resumed_elsewhere(const std::vector<Eigen::Vector2d>& section_W, const Give
 // Repeated points merged, sections of a single point left out: a stray fix is no line.
 Track sections_joined(const GivenTrack& given, const std::vector<Eigen::Vector2d>& points_W) {
   Track track;
+  track.of_vehicle = given.of_vehicle;
   track.pauses.longest_interval_s = given.longest_interval_s;
   track.pauses.longest_step_m = longest_step_m(given, points_W);
   std::vector<Eigen::Vector2d> section_W;
@@ -168,7 +170,14 @@ PlacedTrack placed_track(const std::filesystem::path& path, const Field& field) 
   std::string extension = path.extension().string();
   const bool csv = EQUAL(extension.c_str(), ".csv") || EQUAL(extension.c_str(), ".txt") ||
                    EQUAL(extension.c_str(), ".tsv");
-  PlacedTrack track{csv ? track_from_csv(path, frame) : track_from_vector_file(path, frame), {}};
+  PlacedTrack track;
+  if (csv) {
+    track.given = track_from_csv(path, frame);
+  } else if (is_task_data(path)) {
+    track.given = track_from_task_data(path, field);
+  } else {
+    track.given = track_from_vector_file(path, frame);
+  }
   require_usable_coordinates(track.given, frame, file);
   for (const GivenPoint& point : track.given.points) track.points_W.push_back(point.given);
   if (track.given.degrees) {

@@ -19,19 +19,22 @@ struct TrackPauses {
   double longest_step_m = 0.0;      // that is no jump
 };
 
-// Points p_W [m] in the order driven; the implement works along them. `break_before` holds,
-// ascending, the indices of points that are not joined to their predecessor: there the implement
-// was up, or the log breaks off.
+// Points p_W [m] in the order driven; the implement works along them, or the vehicle's reference
+// point does (`of_vehicle`), with the implement down. `break_before` holds, ascending, the indices
+// of points that are not joined to their predecessor: there the implement was up, or the log breaks
+// off.
 struct Track {
   std::vector<Eigen::Vector2d> points_W;
   std::vector<std::size_t> break_before;
   TrackPauses pauses;
+  bool of_vehicle = false;
 };
 
-// Reads the lines of a vector file that GDAL reads (GeoJSON, GPKG, GPX...), or a CSV whose header
-// names x and y in metres of W or longitude and latitude; docs/paths.md has all names. Optional: a
-// time (CSV) and whether the implement is down (a column, or a property of the line); what is up is
-// left out and breaks the track. An interval of more than kLogGapFactor times the median, forwards
+// Reads the lines of a vector file that GDAL reads (GeoJSON, GPKG, GPX...), the guidance lines of
+// ISO 11783-10 task data, or a CSV whose header names x and y in metres of W or longitude and
+// latitude; docs/paths.md has all names. Optional: a time (CSV), and as a column or a property of
+// the line whether the implement is down and whose way it is (`reference`); what is up is left out
+// and breaks the track. An interval of more than kLogGapFactor times the median, forwards
 // or back, is a pause. It breaks the track where the step across it is longer than kLogGapFactor
 // times the median step or the heading turns by more than kPauseTurn_rad; otherwise work goes on.
 // Neighbours at the same place are merged, and a point alone between two breaks is left out. For a

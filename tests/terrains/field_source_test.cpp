@@ -5,7 +5,9 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "random_ring.h"
 #include "refusal.h"
@@ -111,6 +113,41 @@ TEST(InlineField, AnySimpleRingIsTakenWhicheverWayItRuns) {
     const Field field = read_field(inline_field(ring), "demo.yaml");
     RC_ASSERT(std::abs(signed_area_m2(field.boundary) - area_m2) < 1e-6);
   }));
+}
+
+// A boundary as a receiver logs it: 0.1 m and less from point to point.
+TEST(InlineField, ManyPointsAreSimplifiedWithinTheStatedTolerance) {
+  constexpr int kPoints = 100000;
+  const auto wavy = [](int points) {
+    Ring ring;
+    for (int i = 0; i < points; ++i) {
+      const double angle_rad = 2.0 * std::numbers::pi * i / points;
+      const double radius_m = 300.0 + 5.0 * std::sin(30.0 * angle_rad);
+      ring.emplace_back(radius_m * std::cos(angle_rad), radius_m * std::sin(angle_rad));
+    }
+    return ring;
+  };
+  const Ring ring = wavy(kPoints);
+  std::vector<std::string> notes;
+  const Ring hole = square(10.0, 10.0, 5.0);
+  const Field field = read_field(inline_field(ring, {hole}), "demo.yaml", &notes);
+  EXPECT_LT(field.boundary.size(), 4000U);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0],
+            fmt::format("field: 100004 points of its outlines simplified to {} within 5 mm",
+                        field.boundary.size() + 4));
+  double worst_m = 0.0;
+  for (std::size_t i = 0; i < ring.size(); i += 97) {
+    worst_m = std::max(worst_m, std::abs(field_clearance_m(field, ring[i])));
+  }
+  EXPECT_LE(worst_m, kOutlineRounding_m);
+  EXPECT_GT(worst_m, 0.1 * kOutlineRounding_m);
+  EXPECT_NEAR(signed_area_m2(field.holes[0]), -25.0, 1e-9);
+  // Few points stay as they are, and nothing is said.
+  const Ring few = wavy(static_cast<int>(kManyPoints));
+  notes.clear();
+  EXPECT_EQ(read_field(inline_field(few), "demo.yaml", &notes).boundary, few);
+  EXPECT_TRUE(notes.empty());
 }
 
 TEST(InlineField, EmptyBoundaryIsRefused) {
@@ -263,14 +300,40 @@ TEST_F(FieldFile, ObstaclesAndEntryAreInDegrees) {
   EXPECT_LT(std::abs(field_clearance_m(field, *field.entry_W)), 1e-3);
 }
 
-TEST_F(FieldFile, SeveralPolygonsAreRefusedNamingTheLargest) {
+TEST_F(FieldFile, OneOfSeveralPolygonsIsNamed) {
   const OGRPolygon small = polygon_of({square(500300.0, 4860000.0, 100.0)});
   const OGRPolygon large = polygon_of(kUtmRings);
   write_features(path("a.gpkg"), "GPKG", "EPSG:32615", {&small, &large});
-  EXPECT_EQ(line_of(from_file(path("a.gpkg"))),
-            path("a.gpkg").string() +
-                ": '2 polygons': a field is one polygon with holes; the largest is number 2, "
-                "field 2, 3.75 ha: keep one in a file of its own");
+  EXPECT_EQ(
+      line_of(from_file(path("a.gpkg"))),
+      path("a.gpkg").string() +
+          ": '2 polygons': a field is one polygon with holes; choose one with field.part, its "
+          "name or number: 2 field 2, 3.75 ha; 1 field 1, 1.00 ha");
+  FieldSource source = from_file(path("a.gpkg"));
+  for (const char* part : {"field 2", "2"}) {
+    source.part = part;
+    expect_the_square(read_field(source, "demo.yaml"));
+  }
+  source.part = "field 1";
+  EXPECT_NEAR(field_area_m2(read_field(source, "demo.yaml")), 1e4 / (kUtmScale * kUtmScale), 1.0);
+  source.part = "field 3";
+  EXPECT_THAT(line_of(source),
+              HasSubstr("part: 'field 3': no polygon has this name; did you mean "));
+}
+
+TEST_F(FieldFile, PartsOfAMultipolygonAreNumbered) {
+  OGRMultiPolygon both;
+  for (const double left : {500000.0, 500300.0}) {
+    const OGRPolygon part = polygon_of({square(left, 4860000.0, left > 500200.0 ? 100.0 : 200.0)});
+    both.addGeometry(&part);
+  }
+  write_features(path("a.gpkg"), "GPKG", "EPSG:32615", {&both});
+  FieldSource source = from_file(path("a.gpkg"));
+  EXPECT_THAT(line_of(source), HasSubstr("'2 polygons': a field is one polygon with holes"));
+  source.part = "field 1";
+  EXPECT_THAT(line_of(source), HasSubstr("2 polygons have this name; give the number of one"));
+  source.part = "2";
+  EXPECT_NEAR(field_area_m2(read_field(source, "demo.yaml")), 1e4 / (kUtmScale * kUtmScale), 1.0);
 }
 
 TEST_F(FieldFile, LayerCanBeNamed) {
