@@ -76,8 +76,9 @@ std::optional<TrackReport> given_path_stage(const Job& job) {
   std::string path_text;
   std::optional<TrackReport> report;
   if (is_path_file(file)) {
-    static_cast<void>(read_path(file, job.stage.field));
-    path_text = read_text(file);
+    const Path path = read_path(file, job.stage.field);
+    path_text =
+        file.extension() == ".csv" ? path_geojson(path, job.stage.field.frame) : read_text(file);
   } else {
     const Path path = fitted(file, [&] {
       return make_drivable(job.stage.field, job.stage.vehicle, read_track(file, job.stage.field),

@@ -23,8 +23,10 @@ struct Place {
   std::size_t point = 0;
 
   [[noreturn]] void refuse(const std::string& value, const std::string& allowed) const {
-    throw InputError(file.string(), fmt::format("feature {}, point {}", feature + 1, point + 1),
-                     value, allowed);
+    // Tables count segments from 0.
+    const std::string line = file.extension() == ".csv" ? fmt::format("segment {}", feature)
+                                                        : fmt::format("feature {}", feature + 1);
+    throw InputError(file.string(), fmt::format("{}, point {}", line, point + 1), value, allowed);
   }
 };
 

@@ -10,6 +10,7 @@
 #include "evaluate/geojson.h"
 #include "evaluate/metrics.h"
 #include "evaluate/path_check.h"
+#include "evaluate/path_csv.h"
 #include "terrains/input_error.h"
 #include "terrains/json_text.h"
 
@@ -147,6 +148,7 @@ std::string path_geojson(const Path& path, const GeoFrame& frame) {
 }
 
 bool is_path_file(const std::filesystem::path& file) {
+  if (is_path_csv(file)) return true;
   if (file.extension() != ".geojson" && file.extension() != ".json") return false;
   const Json top = parse_json(file);
   const Json features = top.is_object() ? top.value("features", Json()) : Json();
@@ -156,8 +158,10 @@ bool is_path_file(const std::filesystem::path& file) {
          });
 }
 
-Path read_path(const std::filesystem::path& file, const Field& field) {
-  const GeoCollection collection = read_geojson(field.frame, file);
+namespace {
+
+Path path_of_geojson(const std::filesystem::path& file, const GeoFrame& frame) {
+  const GeoCollection collection = read_geojson(frame, file);
   Path path;
   for (std::size_t i = 0; i < collection.features.size(); ++i) {
     if (word_property(collection, i, "kind", file) != kViolation) {
@@ -171,6 +175,14 @@ Path read_path(const std::filesystem::path& file, const Field& field) {
     violation.what = word_property(collection, i, "what", file);
     path.violations.push_back(std::move(violation));
   }
+  return path;
+}
+
+}  // namespace
+
+Path read_path(const std::filesystem::path& file, const Field& field) {
+  Path path =
+      is_path_csv(file) ? read_path_csv(file, field.frame) : path_of_geojson(file, field.frame);
   if (path.segments.empty()) throw InputError(file.string(), "", "", "holds no path segment");
   check_path(path, field, file);
   return path;

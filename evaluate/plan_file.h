@@ -18,14 +18,15 @@ std::string plan_geojson(const Plan& plan, const GeoFrame& frame);
 // curvatures within 1e-9 of what was written.
 std::string path_geojson(const Path& path, const GeoFrame& frame);
 
-// Whether the file is a path as path_geojson writes it, good or damaged: a FeatureCollection with
-// headings. Throws InputError as parse_json does for a file named .json or .geojson; what is named
-// otherwise is none.
+// Whether the file is a path as path_geojson or path_csv (path_export.h) writes it, good or
+// damaged: a FeatureCollection with headings, a table with columns of headings and segments. Throws
+// InputError as parse_json does for a file named .json or .geojson and as read_csv for .csv; what
+// is named otherwise is none.
 bool is_path_file(const std::filesystem::path& file);
 
-// Throws InputError naming the feature for anything that does not make a path in this field: an
-// unknown kind or gear, headings or curvatures that are not one a point, no segment at all, and
-// what check_path refuses.
+// Throws InputError naming the feature or line for anything that does not make a path in this
+// field: an unknown kind or gear, headings or curvatures that are not one a point, no segment at
+// all, and what check_path refuses.
 Path read_path(const std::filesystem::path& file, const Field& field);
 
 }  // namespace headland
