@@ -1,0 +1,38 @@
+// Transits: from where the vehicle stands along a road to where it is to stand.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planner/arcs.h"
+#include "planner/cancel.h"
+#include "planner/drivable_path.h"
+#include "planner/polygon.h"
+#include "terrains/field.h"
+#include "vehicle_models/vehicle.h"
+
+namespace headland {
+
+// Ground is where the hull may be: `leaving` from `from` to the road, `road` along it, `arriving`
+// from there to `to`.
+struct TransitRequest {
+  std::optional<Pose> from;  // none: the path begins on the road
+  std::optional<Pose> to;    // none: it ends there
+  Polyline way_W;            // of B's origin; shorter than kLeastRoad_m it is left out
+  Field leaving;
+  Field road;
+  Field arriving;
+};
+
+// Forwards along the way within kRoadTolerance_m, with corners rounded by the planning radius, the
+// implement up; to and from it by the cheapest turn or route that fits. All segments are of kind
+// transit, of manoeuvre 0, and join. Throws PlanInfeasible with the place where the hull does not
+// fit on the road or no turn fits, unless overruns are allowed, which are then recorded; Cancelled.
+Path transit_path(const TransitRequest& request, const Vehicle& vehicle, const PathOptions& options,
+                  const CancelAsked& cancelled = {});
+
+inline constexpr double kRoadTolerance_m = 0.2;
+inline constexpr double kLeastRoad_m = 6.0;
+
+}  // namespace headland
