@@ -239,7 +239,7 @@ std::string tests_text(const Comparison& comparison, const ComparisonRanks& rank
 }
 
 std::string budget_text(const Comparison& comparison) {
-  const GridStop& stop = comparison.planners.front().stop;
+  const SearchStop& stop = comparison.planners.front().stop;
   switch (comparison.budget) {
     case Budget::kEvaluations:
       return fmt::format("{} evaluations each", stop.evaluations);

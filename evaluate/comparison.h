@@ -32,7 +32,7 @@ struct ComparedPlanner {
   std::string label;  // under which it appears; the same planner may have several
   std::string name;   // of the table of grid planners
   Parameters parameters;
-  GridStop stop;
+  SearchStop stop;
 };
 
 // The same budget for all instead of each planner's own end.

@@ -54,7 +54,7 @@ Json parameters_json(const Parameters& parameters) {
 }
 
 // Limits that are none are left out.
-Json stop_json(const GridStop& stop) {
+Json stop_json(const SearchStop& stop) {
   Json json = Json::object();
   if (stop.iterations < std::numeric_limits<int>::max()) json["iterations"] = stop.iterations;
   if (stop.evaluations > 0) json["evaluations"] = stop.evaluations;

@@ -62,9 +62,9 @@ std::size_t read_choice(const YamlSection& section, std::string_view key,
                                nearest_name(*given, words), fmt::join(words, ", ")));
 }
 
-GridStop read_budget(const YamlSection& section, Budget& budget) {
+SearchStop read_budget(const YamlSection& section, Budget& budget) {
   refuse_unknown_keys(section, kBudgetKeys);
-  GridStop stop;
+  SearchStop stop;
   stop.iterations = kNoLimit;
   const auto evaluations = read_count(section, "evaluations", 1, kNoLimit);
   const auto seconds = read_number(section, "seconds", {0.001, kMostSeconds});
@@ -78,7 +78,7 @@ GridStop read_budget(const YamlSection& section, Budget& budget) {
   return stop;
 }
 
-ComparedPlanner read_compared_planner(const YamlSection& section, const GridStop& stop,
+ComparedPlanner read_compared_planner(const YamlSection& section, const SearchStop& stop,
                                       Budget budget) {
   const auto name = read_word(section, "name");
   if (!name) {
@@ -108,7 +108,7 @@ ComparedPlanner read_compared_planner(const YamlSection& section, const GridStop
       throw InputError(section.source, place_of(section, "stop"), "",
                        "not with budget, which is the same for all");
     }
-    planner.stop = read_grid_stop(*own_stop);
+    planner.stop = read_stop(*own_stop);
   }
   return planner;
 }
@@ -138,8 +138,8 @@ void refuse_repeated(const YamlSection& top, std::string_view list, const std::s
 }
 
 void read_planners(const YamlSection& top, Comparison& comparison) {
-  GridStop stop;
-  if (const auto section = read_section(top, "stop")) stop = read_grid_stop(*section);
+  SearchStop stop;
+  if (const auto section = read_section(top, "stop")) stop = read_stop(*section);
   if (const auto section = read_section(top, "budget")) {
     if (read_section(top, "stop")) {
       throw InputError(top.source, place_of(top, "budget"), "", "either budget or stop, not both");
@@ -204,9 +204,9 @@ void read_tests(const YamlSection& top, Comparison& comparison) {
 
 std::span<const TractorKey> tractor_energy_keys() { return kTractorKeys; }
 
-GridStop read_grid_stop(const YamlSection& section) {
+SearchStop read_stop(const YamlSection& section) {
   refuse_unknown_keys(section, kStopKeys);
-  GridStop stop;
+  SearchStop stop;
   const auto count = [&](std::string_view key) { return read_count(section, key, 1, kNoLimit); };
   const auto iterations = count("iterations");
   stop.evaluations = count("evaluations").value_or(0);

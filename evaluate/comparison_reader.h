@@ -31,7 +31,7 @@ struct TractorKey {
 std::span<const TractorKey> tractor_energy_keys();
 
 // The keys of a section `stop`, and of the section `cost` of another one. Throw as read_comparison.
-GridStop read_grid_stop(const YamlSection& section);
+SearchStop read_stop(const YamlSection& section);
 GridCost read_grid_cost(const YamlSection& top);
 
 // Every key path, sections included, but for the parameters of planners.

@@ -48,7 +48,7 @@ void emit_cost(YAML::Emitter& out, const GridCost& cost) {
 }
 
 // What is no limit is left out.
-void emit_stop(YAML::Emitter& out, const GridStop& stop) {
+void emit_stop(YAML::Emitter& out, const SearchStop& stop) {
   out << YAML::Key << "stop" << YAML::Value << YAML::BeginMap;
   emit_number(out, "iterations", stop.iterations);
   if (stop.evaluations > 0) emit_number(out, "evaluations", stop.evaluations);
@@ -66,7 +66,7 @@ GridPlanning read_grid_planning(const YamlSection& section) {
   planning.closed = read_flag(section, "closed").value_or(planning.closed);
   planning.direction_deg = read_number(section, "direction_deg", {-360.0, 360.0}).value_or(0.0);
   planning.cost = read_grid_cost(section);
-  if (const auto stop = read_section(section, "stop")) planning.stop = read_grid_stop(*stop);
+  if (const auto stop = read_section(section, "stop")) planning.stop = read_stop(*stop);
   return planning;
 }
 

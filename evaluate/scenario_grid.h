@@ -19,7 +19,7 @@ struct GridPlanning {
   bool closed = false;
   double direction_deg = 0.0;  // of rows on a field, see grid_of_field
   GridCost cost;
-  GridStop stop;
+  SearchStop stop;
 };
 
 // Of the section `planner`. Throws InputError with line and key path.

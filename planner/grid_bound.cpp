@@ -7,7 +7,7 @@ namespace headland {
 namespace {
 
 constexpr int kUnmatched = -1;
-constexpr int kUnreached = -1;
+constexpr int kNoLayer = -1;
 // Copy c of node n is 2 n + c: each time that the node is entered or left.
 constexpr int kCopies = 2;
 constexpr int kEdges = kDirections * kCopies;
@@ -44,7 +44,7 @@ bool lay_out(Matching& matching, const std::vector<int>& light) {
   std::vector<int> queue;
   for (const int copy : light) {
     const bool free = at(matching.partner, copy) == kUnmatched;
-    at(matching.layer, copy) = free ? 0 : kUnreached;
+    at(matching.layer, copy) = free ? 0 : kNoLayer;
     at(matching.next_edge, copy) = 0;
     if (free) queue.push_back(copy);
   }
@@ -56,7 +56,7 @@ bool lay_out(Matching& matching, const std::vector<int>& light) {
       const int next = at(matching.partner, dark);
       if (next == kUnmatched) {
         ends = true;
-      } else if (at(matching.layer, next) == kUnreached) {
+      } else if (at(matching.layer, next) == kNoLayer) {
         at(matching.layer, next) = at(matching.layer, queue[i]) + 1;
         queue.push_back(next);
       }
@@ -117,7 +117,7 @@ int least_steps(const GridProblem& problem, const CancelAsked& cancelled) {
   if (graph.size() == 1) return 0;
   const std::size_t copies = graph.cells.size() * kCopies;
   Matching matching{graph, std::vector<char>(copies, 1), std::vector<int>(copies, kUnmatched),
-                    std::vector<int>(copies, kUnreached), std::vector<int>(copies, 0)};
+                    std::vector<int>(copies, kNoLayer), std::vector<int>(copies, 0)};
   int free_ends = problem.closed ? 0 : 2;
   int existing = static_cast<int>(copies);
   if (!problem.closed) {

@@ -32,7 +32,7 @@ GridProblem grid_problem(const GridPlanRequest& request) {
   GridProblem problem;
   problem.graph = grid_graph(request.map, kGridPlanSource);
   check_grid_cost(request.cost, kGridPlanSource);
-  check_grid_stop(request.stop, kGridPlanSource);
+  check_stop(request.stop, kGridPlanSource);
   if (request.start) {
     problem.start = node_at(request.map, problem.graph, *request.start, kGridPlanSource, "start");
   }
@@ -44,8 +44,8 @@ GridProblem grid_problem(const GridPlanRequest& request) {
   return problem;
 }
 
-GridSearch begun_search(const GridPlanRequest& request) {
-  GridSearch search;
+PlanSearch begun_search(const GridPlanRequest& request) {
+  PlanSearch search;
   search.stop = request.stop;
   search.cancelled = request.cancelled;
   return search;
@@ -53,7 +53,7 @@ GridSearch begun_search(const GridPlanRequest& request) {
 
 GridPlan finished_plan(const GridPlanRequest& request, const GridProblem& problem,
                        const std::string& planner, const std::vector<int>& path,
-                       const GridSearch& search) {
+                       const PlanSearch& search) {
   GridPlan plan;
   plan.planner = planner;
   plan.cells.reserve(path.size());

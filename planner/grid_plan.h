@@ -8,7 +8,7 @@
 
 #include "planner/grid_cost.h"
 #include "planner/grid_distances.h"
-#include "planner/grid_search.h"
+#include "planner/plan_search.h"
 #include "planner/seeded_random.h"
 #include "terrains/grid_map.h"
 #include "terrains/parameter.h"
@@ -21,7 +21,7 @@ struct GridPlanRequest {
   std::optional<GridCell> end;    // likewise; the start: a closed tour
   bool closed = false;            // ends where it begins; neither end given: in node 0 of the graph
   GridCost cost;
-  GridStop stop;
+  SearchStop stop;
   Parameters parameters;  // resolved against the planner's specs
   std::uint64_t seed = 1;
   CancelAsked cancelled;  // ends planning with Cancelled
@@ -51,17 +51,17 @@ struct GridProblem {
   bool closed = false;  // start and end are the same of several nodes
 };
 
-// Throws InputError as grid_graph, check_grid_cost and check_grid_stop, for a start or end that is
+// Throws InputError as grid_graph, check_grid_cost and check_stop, for a start or end that is
 // no free cell, and for different ones of a closed tour.
 GridProblem grid_problem(const GridPlanRequest& request);
 
 // A search that runs by the request's limits.
-GridSearch begun_search(const GridPlanRequest& request);
+PlanSearch begun_search(const GridPlanRequest& request);
 
 // The plan of a path of nodes; counts and cost are taken from the path anew.
 GridPlan finished_plan(const GridPlanRequest& request, const GridProblem& problem,
                        const std::string& planner, const std::vector<int>& path,
-                       const GridSearch& search);
+                       const PlanSearch& search);
 
 // What messages about a request name as its source.
 inline const std::string kGridPlanSource = "grid plan";

@@ -78,7 +78,7 @@ int node_at_place(const Order& order, int place) {
 }
 
 // Two nodes that follow each other, and those around them; -1: none, or not to be regarded.
-struct Join {
+struct PlaceJoin {
   int before = -1;
   int from = -1;
   int to = -1;
@@ -93,7 +93,7 @@ double cost_of_turn(const OrderCost& cost, int before, int node, int after) {
 }
 
 // The way between the two and the turns at both of them, at least.
-double least_cost(const OrderCost& cost, const Join& join) {
+double least_cost(const OrderCost& cost, const PlaceJoin& join) {
   if (join.from < 0 || join.to < 0) return 0.0;
   const double way = cost.shares.step * steps_without_obstacles(*cost.graph, join.from, join.to);
   return way + cost_of_turn(cost, join.before, join.from, join.to) +
@@ -101,7 +101,7 @@ double least_cost(const OrderCost& cost, const Join& join) {
 }
 
 // The same where all are neighbours; elsewhere, and where slopes cost something, more than any.
-double most_cost(const OrderCost& cost, const Join& join) {
+double most_cost(const OrderCost& cost, const PlaceJoin& join) {
   if (join.from < 0 || join.to < 0) return 0.0;
   const auto is_step = [&](int one, int other) {
     return one < 0 || direction_between(*cost.graph, one, other) >= 0;
@@ -115,8 +115,8 @@ double most_cost(const OrderCost& cost, const Join& join) {
 // No reversal changes the cost by less: by what its two ends alone can bring.
 double least_change_by_reversal(const OrderCost& cost, const Order& order, int i, int j) {
   const auto join = [&](int before, int from, int to, int after) {
-    return Join{node_at_place(order, before), node_at_place(order, from), node_at_place(order, to),
-                node_at_place(order, after)};
+    return PlaceJoin{node_at_place(order, before), node_at_place(order, from),
+                     node_at_place(order, to), node_at_place(order, after)};
   };
   return least_cost(cost, join(i - 2, i - 1, j, j - 1)) +
          least_cost(cost, join(i + 1, i, j + 1, j + 2)) -
@@ -129,8 +129,8 @@ double least_change_by_move(const OrderCost& cost, const Order& order, int i, in
                             bool turned_round) {
   constexpr int kNone = -1;
   const auto join = [&](int before, int from, int to_place, int after) {
-    return Join{node_at_place(order, before), node_at_place(order, from),
-                node_at_place(order, to_place), node_at_place(order, after)};
+    return PlaceJoin{node_at_place(order, before), node_at_place(order, from),
+                     node_at_place(order, to_place), node_at_place(order, after)};
   };
   const int first = turned_round ? j : i;
   const int last = turned_round ? i : j;

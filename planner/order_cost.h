@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/order_walk.h"
+#include "planner/plan_search.h"
 
 namespace headland {
 
@@ -37,9 +38,6 @@ double change_by_move(const OrderCost& cost, const std::vector<int>& order, int 
 
 // What change_by_move speaks of.
 void move_section(std::vector<int>& order, int i, int j, int to, bool turned_round);
-
-// Changes nearer to 0 than this are none: sums of weights are rounded.
-inline constexpr double kNoChange = 1e-9;
 
 // Inline: population planners spend most of their time here.
 inline double change_by_length_reversal(const OrderCost& cost, const std::vector<int>& order, int i,

@@ -160,7 +160,7 @@ void set_order(Descent& descent, std::vector<int> order) {
   }
 }
 
-void descend(Descent& descent, GridSearch& search) {
+void descend(Descent& descent, PlanSearch& search) {
   int looked = 0;
   const auto ends = [&] {
     if (++looked % kLooksPerCheck != 0) return false;

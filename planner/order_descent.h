@@ -44,7 +44,7 @@ Descent descent_for(const OrderTask& task);
 void set_order(Descent& descent, std::vector<int> order);
 
 // Until nothing is left to gain or the search is over. Throws Cancelled.
-void descend(Descent& descent, GridSearch& search);
+void descend(Descent& descent, PlanSearch& search);
 
 // Two neighbouring sections of at most so many cells change places (a double bridge). Asks for two
 // places that may change.

@@ -26,7 +26,7 @@ struct OrderSearch {
   const OrderCost& cost;
   FreePlaces places;  // nothing outside of them is changed
   SeededRandom& random;
-  GridSearch& search;
+  PlanSearch& search;
 };
 
 OrderSearch order_search(OrderTask& task);

@@ -25,7 +25,7 @@ struct OrderTask {
   DistanceTable table;  // local_distances where large and the search gets along with them
   OrderCost cost;
   SeededRandom random;
-  GridSearch search;  // where length alone counts it ends at least_steps, unless the map is large
+  PlanSearch search;  // where length alone counts it ends at least_steps, unless the map is large
 };
 
 // The plan of an order.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/grid_search.h"
+#include "planner/plan_search.h"
 
 namespace headland {
 

@@ -103,7 +103,7 @@ GridPlan plan_grid_boustrophedon(const GridPlanRequest& request) {
   }
   cover_rest(state);
   if (problem.end >= 0 && state.path.back() != problem.end) go_to(state, problem.end);
-  GridSearch search = begun_search(request);
+  PlanSearch search = begun_search(request);
   search.evaluations = 1;
   search.stopped_by = StopReason::kNothingBetter;
   const GridCounts counts = count_path(problem.graph, state.path);

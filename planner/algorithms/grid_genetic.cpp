@@ -38,7 +38,7 @@ struct Evolution {
   double mutation = 0.0;
   int elites = 1;
   SeededRandom& random;
-  GridSearch& search;
+  PlanSearch& search;
 };
 
 std::vector<int> path_of(const Evolution& evolution, const std::vector<int>& order) {
@@ -192,7 +192,7 @@ GridPlan planned(const GridPlanRequest& request, const std::string& name, bool i
   DistanceTable table;
   if (in_pairs) table = distance_table(problem.graph, kGridPlanSource, request.cancelled);
   SeededRandom random(request.seed);
-  GridSearch search = begun_search(request);
+  PlanSearch search = begun_search(request);
   Evolution evolution{request,
                       problem,
                       in_pairs ? &table : nullptr,

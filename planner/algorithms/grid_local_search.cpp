@@ -100,7 +100,7 @@ std::span<const ParameterSpec> grid_local_search_parameters() {
 
 GridPlan plan_grid_local_search(const GridPlanRequest& request) {
   OrderTask task(request, Tables::kLocalWhereLarge);
-  GridSearch& search = task.search;
+  PlanSearch& search = task.search;
   const int kick_cells = static_cast<int>(number(request.parameters, "kick_cells"));
   const int patience = static_cast<int>(number(request.parameters, "patience"));
   Descent descent = descent_for(task);

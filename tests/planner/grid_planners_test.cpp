@@ -275,7 +275,7 @@ TEST(GridStops, AtTheFirstLimit) {
 
 // Wu et al. 2023, Table 1 (repeats there in m2 of 4 m2 cells).
 TEST(GridStops, TheShareThatIsOverIsThatOfTheNearestLimit) {
-  GridSearch search;
+  PlanSearch search;
   search.stop = {.iterations = 100, .evaluations = 1000, .seconds = 0.0, .stagnation = 5};
   EXPECT_EQ(share_over(search), 0.0);
   search.iteration = 11;

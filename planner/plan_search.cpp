@@ -1,18 +1,17 @@
-#include "planner/grid_search.h"
+#include "planner/plan_search.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "planner/order_cost.h"
 #include "terrains/input_error.h"
 
 namespace headland {
 namespace {
 
 // What ends a search at any time.
-std::optional<StopReason> reason_to_stop_now(const GridSearch& search) {
-  const GridStop& stop = search.stop;
+std::optional<StopReason> reason_to_stop_now(const PlanSearch& search) {
+  const SearchStop& stop = search.stop;
   if (search.best <= search.least + kNoChange) return StopReason::kNothingBetter;
   if (stop.evaluations > 0 && search.evaluations >= stop.evaluations) {
     return StopReason::kEvaluations;
@@ -25,8 +24,8 @@ std::optional<StopReason> reason_to_stop_now(const GridSearch& search) {
 }
 
 // What ends it between iterations.
-std::optional<StopReason> reason_not_to_iterate(const GridSearch& search) {
-  const GridStop& stop = search.stop;
+std::optional<StopReason> reason_not_to_iterate(const PlanSearch& search) {
+  const SearchStop& stop = search.stop;
   if (search.iteration >= stop.iterations) return StopReason::kIterations;
   const int improved = search.convergence.empty() ? 0 : search.convergence.back().iteration;
   if (stop.stagnation > 0 && search.iteration - improved >= stop.stagnation) {
@@ -37,7 +36,7 @@ std::optional<StopReason> reason_not_to_iterate(const GridSearch& search) {
 
 }  // namespace
 
-void check_grid_stop(const GridStop& stop, const std::string& source) {
+void check_stop(const SearchStop& stop, const std::string& source) {
   if (stop.iterations < 1) {
     throw InputError(source, "stop.iterations", fmt::format("{}", stop.iterations),
                      "a whole number from 1 up");
@@ -72,20 +71,20 @@ std::string_view stop_reason_name(StopReason reason) {
   return "nothing better";
 }
 
-bool goes_on(GridSearch& search) {
+bool goes_on(PlanSearch& search) {
   stop_if(search.cancelled);
   if (!search.stopped_by) search.stopped_by = reason_to_stop_now(search);
   return !search.stopped_by;
 }
 
-bool next_iteration(GridSearch& search) {
+bool next_iteration(PlanSearch& search) {
   if (goes_on(search)) search.stopped_by = reason_not_to_iterate(search);
   if (!search.stopped_by) ++search.iteration;
   return !search.stopped_by;
 }
 
-double share_over(const GridSearch& search) {
-  const GridStop& stop = search.stop;
+double share_over(const PlanSearch& search) {
+  const SearchStop& stop = search.stop;
   double share = std::max(0, search.iteration - 1) / static_cast<double>(stop.iterations);
   if (stop.evaluations > 0) {
     share = std::max(
@@ -98,7 +97,7 @@ double share_over(const GridSearch& search) {
   return std::min(1.0, share);
 }
 
-bool note_cost(GridSearch& search, double cost) {
+bool note_cost(PlanSearch& search, double cost) {
   if (!(cost < search.best - kNoChange)) return false;
   search.best = cost;
   const ConvergencePoint point{search.iteration, search.evaluations, cost};

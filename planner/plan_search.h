@@ -1,4 +1,4 @@
-// When a search for a grid plan ends, and how it came along.
+// When a search for a plan ends, and how it came along.
 #pragma once
 
 #include <chrono>
@@ -15,15 +15,15 @@ namespace headland {
 
 // The search ends at the first of these. 0 is no limit, except of iterations. With `seconds` alone
 // the result depends on the clock.
-struct GridStop {
+struct SearchStop {
   int iterations = 600;
-  std::int64_t evaluations = 0;  // orders whose cost was looked up, in full or by a change
+  std::int64_t evaluations = 0;  // plans whose cost was looked up, in full or by a change
   double seconds = 0.0;
   int stagnation = 0;  // iterations without a better plan
 };
 
 // Throws InputError(source, "stop. ...") for less than one iteration and what is negative or NaN.
-void check_grid_stop(const GridStop& stop, const std::string& source);
+void check_stop(const SearchStop& stop, const std::string& source);
 
 enum class StopReason {
   kIterations,
@@ -41,8 +41,8 @@ struct ConvergencePoint {
   double cost = 0.0;
 };
 
-struct GridSearch {
-  GridStop stop;
+struct PlanSearch {
+  SearchStop stop;
   CancelAsked cancelled;
   std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
   int iteration = 0;  // the one that runs, counted from 1; 0 while the search is set up
@@ -54,17 +54,20 @@ struct GridSearch {
 };
 
 // Whether another iteration is to run; begins it. Throws Cancelled.
-bool next_iteration(GridSearch& search);
+bool next_iteration(PlanSearch& search);
 
 // Whether the running iteration is to be finished; once it says no it stays so. Throws Cancelled.
-bool goes_on(GridSearch& search);
+bool goes_on(PlanSearch& search);
 
 // The share [0, 1] of the search that was over when its running iteration began, by whichever limit
 // is nearest: what planners that change their ways towards the end go by. Stagnation is no limit
 // that comes nearer.
-double share_over(const GridSearch& search);
+double share_over(const PlanSearch& search);
+
+// Changes of cost nearer to 0 than this are none: sums are rounded.
+inline constexpr double kNoChange = 1e-9;
 
 // Says that a plan of this cost is known. True when it is the best so far by more than rounding.
-bool note_cost(GridSearch& search, double cost);
+bool note_cost(PlanSearch& search, double cost);
 
 }  // namespace headland
