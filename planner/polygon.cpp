@@ -191,6 +191,30 @@ std::vector<Polyline> clip_line(const Polyline& line, const PolygonSet& set) {
   return pieces;
 }
 
+std::vector<PolygonPart> cut_apart(const PolygonPart& ground, std::span<const Polyline> lines) {
+  const GeosScope geos;
+  std::vector<Geometry> edges;
+  edges.push_back(ring_geometry(geos, ground.outer));
+  for (const Ring& hole : ground.holes) edges.push_back(ring_geometry(geos, hole));
+  for (const Polyline& line : lines) edges.push_back(line_geometry(geos, line));
+  const Geometry all = collection_geometry(geos, GEOS_GEOMETRYCOLLECTION, std::move(edges));
+  const Geometry noded =
+      owned(geos, GEOSUnaryUnionPrec_r(geos.handle(), all.get(), kGrid_m), "cut apart");
+  const GEOSGeometry* const network = noded.get();
+  const Geometry faces = owned(geos, GEOSPolygonize_r(geos.handle(), &network, 1), "cut apart");
+  PolygonSet pieces = set_of(geos, faces);
+  std::erase_if(pieces.parts, [&](const PolygonPart& piece) {
+    // Holes are faces too.
+    const Geometry inner_point = owned(
+        geos, GEOSPointOnSurface_r(geos.handle(), geometry_of(geos, {{piece}}).get()), "cut apart");
+    const Eigen::Vector2d p_W = points_of(geos, inner_point.get()).front();
+    return !inside_ring(ground.outer, p_W) ||
+           std::ranges::any_of(ground.holes,
+                               [&](const Ring& hole) { return inside_ring(hole, p_W); });
+  });
+  return std::move(pieces.parts);
+}
+
 double area_m2(const PolygonSet& set) {
   double sum_m2 = 0.0;
   for (const PolygonPart& part : set.parts) {

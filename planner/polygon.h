@@ -71,6 +71,10 @@ PolygonSet strip(const Polyline& line, double width_m);
 // The pieces of `line` inside `set`, in the line's order and direction.
 std::vector<Polyline> clip_line(const Polyline& line, const PolygonSet& set);
 
+// The pieces into which `lines` cut the ground, by where GEOS finds them. Neighbours share whole
+// edges to the bit: where a line or another piece's corner meets an edge, both have a point.
+std::vector<PolygonPart> cut_apart(const PolygonPart& ground, std::span<const Polyline> lines);
+
 double area_m2(const PolygonSet& set);
 double length_m(const Polyline& line);
 

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "planner/segment.h"
+
 namespace headland {
 namespace {
 
@@ -143,12 +145,6 @@ bool inside(const Intervals& section, double from_m, double to_m) {
   return std::any_of(section.begin(), section.end(), [&](const Interval& interval) {
     return interval.from_m <= from_m && to_m <= interval.to_m;
   });
-}
-
-double line_direction_rad(const Eigen::Vector2d& edge) {
-  const double angle_rad = std::atan2(edge.y(), edge.x());
-  const double folded_rad = angle_rad < 0.0 ? angle_rad + pi : angle_rad;
-  return folded_rad >= pi ? 0.0 : folded_rad;
 }
 
 std::vector<double> directions_to_try(const Field& field) {

@@ -64,12 +64,16 @@ Geometry polygon_geometry(const GeosScope& geos, const Ring& outer, std::span<co
                "polygon");
 }
 
-Geometry multi_polygon_geometry(const GeosScope& geos, std::vector<Geometry> polygons) {
-  std::vector<GEOSGeometry*> pointers = released(polygons);
+Geometry collection_geometry(const GeosScope& geos, int type, std::vector<Geometry> members) {
+  std::vector<GEOSGeometry*> pointers = released(members);
   return owned(geos,
-               GEOSGeom_createCollection_r(geos.handle(), GEOS_MULTIPOLYGON, pointers.data(),
+               GEOSGeom_createCollection_r(geos.handle(), type, pointers.data(),
                                            static_cast<unsigned>(pointers.size())),
-               "polygons");
+               "collection");
+}
+
+Geometry multi_polygon_geometry(const GeosScope& geos, std::vector<Geometry> polygons) {
+  return collection_geometry(geos, GEOS_MULTIPOLYGON, std::move(polygons));
 }
 
 std::vector<Eigen::Vector2d> points_of(const GeosScope& geos, const GEOSGeometry* line) {

@@ -46,6 +46,8 @@ Geometry line_geometry(const GeosScope& geos, const std::vector<Eigen::Vector2d>
 // Rings do not repeat their first point and have at least three.
 Geometry ring_geometry(const GeosScope& geos, const Ring& ring);
 Geometry polygon_geometry(const GeosScope& geos, const Ring& outer, std::span<const Ring> holes);
+// Of a collecting type of GEOS, such as GEOS_GEOMETRYCOLLECTION.
+Geometry collection_geometry(const GeosScope& geos, int type, std::vector<Geometry> members);
 Geometry multi_polygon_geometry(const GeosScope& geos, std::vector<Geometry> polygons);
 
 // The points of a line or a closed ring; the ring's first one is also its last.
