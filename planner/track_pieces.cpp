@@ -62,7 +62,7 @@ struct Corner {
 
 // One entry per point; the first and last are no corners. An edge is shared by the arcs at its
 // ends in proportion to what arcs of equal radius would take of it.
-std::vector<Corner> corners_of(const Points& line, double deviation_m) {
+std::vector<Corner> corners_along(const Points& line, double deviation_m) {
   std::vector<Corner> corners(line.size());
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     Corner& corner = corners[i];
@@ -160,7 +160,7 @@ void add_piece(Cutting& cutting, const Points& stretch, const std::vector<std::s
   const Vector2d end = line.back();
   draw_back(line.front(), line[1], on_m);
   draw_back(line.back(), line[line.size() - 2], back_m);
-  TrackPiece piece = rounded_piece(line, corners_of(line, 0.5 * cutting.tolerance_m));
+  TrackPiece piece = rounded_piece(line, corners_along(line, 0.5 * cutting.tolerance_m));
   piece.max_deviation_m =
       greatest_distance_m(stretch, kept.front(), kept.back(), chords_of(piece, begin, end));
   cutting.result.pieces.push_back(std::move(piece));
@@ -174,7 +174,7 @@ void cut(Cutting& cutting, const Points& stretch) {
     Points line;
     for (const std::size_t index : kept) line.push_back(stretch[index]);
     draw_back(line.front(), line[1], on_m);
-    const std::vector<Corner> corners = corners_of(line, 0.5 * cutting.tolerance_m);
+    const std::vector<Corner> corners = corners_along(line, 0.5 * cutting.tolerance_m);
     std::size_t at = 1;
     while (at + 1 < line.size() && corners[at].radius_m >= cutting.radius_m) ++at;
     if (at + 1 == line.size()) break;
