@@ -103,6 +103,7 @@ Json series_json(const std::vector<RunSample>& samples, std::span<const double> 
   json["samples"] = samples.size();
   for (const SeriesColumn& column : kPoses) {
     std::vector<float> values;
+    values.reserve(starts.size());
     for (const std::size_t i : starts) {
       values.push_back(static_cast<float>(column.value(samples[i])));
     }
@@ -165,7 +166,7 @@ Json tracking_histogram_json(const std::vector<RunSample>& samples) {
     all_m += way;
   }
   Json json;
-  for (int k = 0; k <= kBins; ++k) json["edges_m"].push_back(rounded((k - kBins / 2) * *step, 6));
+  for (int k = 0; k <= kBins; ++k) json["edges_m"].push_back(rounded((k - 0.5 * kBins) * *step, 6));
   for (const std::size_t raised : {0U, 1U}) {
     Json& shares = json[raised == 0 ? "working" : "turning"] = Json::array();
     for (const double m : way_m[raised]) {
