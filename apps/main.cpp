@@ -41,6 +41,7 @@ int run(int argc, char** argv) {
   headland::add_evaluate_command(app, exit_code);
   headland::add_plan_command(app, exit_code);
   headland::add_audit_command(app, exit_code);
+  headland::add_job_command(app, exit_code);
   headland::add_export_command(app, exit_code);
   headland::add_drive_command(app, exit_code);
   headland::add_render_command(app, exit_code);

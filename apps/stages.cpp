@@ -66,6 +66,7 @@ PlanResult plan_stage(const Job& job) {
   }
   write_together(job.folder, files);
   if (!result.grid_plan) remove_file(job.folder / kGridPlanFile);
+  remove_file(job.folder / kJobFile);
   remove_results_from(job.folder, kRunFile);
   return result;
 }
@@ -90,6 +91,7 @@ std::optional<TrackReport> given_path_stage(const Job& job) {
                  {{kScenarioFile, scenario_yaml(job.scenario)}, {kPathFile, path_text}});
   remove_file(job.folder / kPlanFile);
   remove_file(job.folder / kGridPlanFile);
+  remove_file(job.folder / kJobFile);
   remove_results_from(job.folder, kRunFile);
   return report;
 }
@@ -100,7 +102,7 @@ void adopt_plan(const Job& job, const std::filesystem::path& from) {
   std::vector<FileText> files = {{kScenarioFile, scenario_yaml(job.scenario)},
                                  {kPathFile, read_text(from / kPathFile)}};
   std::vector<const char*> absent;
-  for (const char* name : {kPlanFile, kGridPlanFile}) {
+  for (const char* name : {kPlanFile, kGridPlanFile, kJobFile}) {
     if (std::filesystem::exists(from / name)) {
       files.push_back({name, read_text(from / name)});
     } else {

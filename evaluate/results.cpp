@@ -16,9 +16,10 @@
 namespace headland {
 namespace {
 
-constexpr std::string_view kInOrder[] = {kScenarioFile, kPlanFile,      kGridPlanFile, kPathFile,
-                                         kRunFile,      kFootprintFile, kSegmentsFile, kMetricsFile,
-                                         kFieldPicture, kViewPicture,   kEnergyPicture, kReportFile};
+constexpr std::string_view kInOrder[] = {
+    kScenarioFile, kPlanFile,      kGridPlanFile, kJobFile,     kPathFile,
+    kRunFile,      kFootprintFile, kSegmentsFile, kMetricsFile, kFieldPicture,
+    kViewPicture,  kEnergyPicture, kReportFile};
 
 // Row `row` of a table, counted from 0 after the header.
 InputError row_error(const std::filesystem::path& file, std::size_t row, const std::string& column,

@@ -12,6 +12,7 @@ namespace headland {
 inline constexpr char kScenarioFile[] = "scenario.yaml";   // as resolved
 inline constexpr char kPlanFile[] = "plan.geojson";        // evaluate/plan_file.h
 inline constexpr char kGridPlanFile[] = "grid_plan.json";  // evaluate/grid_plan_file.h
+inline constexpr char kJobFile[] = "job.json";             // evaluate/job_plan.h
 inline constexpr char kPathFile[] = "path.geojson";        // evaluate/plan_file.h
 inline constexpr char kRunFile[] = "run.csv";              // evaluate/run_tables.h
 inline constexpr char kFootprintFile[] = "footprint.csv";  // evaluate/run_tables.h

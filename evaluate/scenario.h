@@ -52,8 +52,10 @@ Scenario read_scenario(const std::filesystem::path& file,
                        std::optional<std::uint64_t> seed = std::nullopt);
 
 // The scenario without name, field and planner that stands in a section of another file, which is
-// told in messages by its line. Throws as read_scenario.
-Scenario read_drive(const YamlSection& section, std::uint64_t seed);
+// told in messages by its line; `beside` are keys of the section that the caller reads. Throws as
+// read_scenario.
+Scenario read_drive(const YamlSection& section, std::uint64_t seed,
+                    const std::vector<std::string>& beside = {});
 
 // The scenario with every default written out, as YAML. Reading it gives the same scenario.
 std::string scenario_yaml(const Scenario& scenario);

@@ -91,6 +91,7 @@ constexpr std::string_view kOtherKeys[] = {
     "field.crs",
     "field.boundary",
     "field.holes",
+    "field.to_work",
     "field.obstacles",
     "field.obstacles.kind",
     "field.obstacles.at",

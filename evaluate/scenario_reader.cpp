@@ -94,7 +94,7 @@ ObstacleSource read_obstacle(const YamlSection& section) {
 void refuse_beside_grid_map(const YamlSection& section, const FieldSource& field) {
   const YAML::Node mapping = section.node;
   for (const std::string_view key :
-       {"file", "boundary", "layer", "part", "crs", "holes", "obstacles"}) {
+       {"file", "boundary", "layer", "part", "crs", "holes", "to_work", "obstacles"}) {
     const bool given = mapping[std::string(key)].IsDefined();
     if (!given || (key == "obstacles" && field.obstacles.empty())) continue;
     throw InputError(section.source, place_of(section, key), "",
@@ -127,6 +127,7 @@ FieldSource read_field_source(const YamlSection& top, const fs::path& folder) {
   field.crs = read_crs(*section);
   field.boundary = read_points(*section, "boundary").value_or(Ring{});
   field.holes = read_point_lists(*section, "holes").value_or(std::vector<Ring>{});
+  field.to_work = read_point_lists(*section, "to_work").value_or(std::vector<Ring>{});
   field.entry = read_point(*section, "entry");
   field.entry_place = place_of(*section, "entry");
   for (const YamlSection& obstacle :
@@ -155,6 +156,9 @@ FieldSource read_field_source(const YamlSection& top, const fs::path& folder) {
   if (!field.file.empty() && !field.holes.empty()) {
     throw InputError(top.source, place_of(*section, "holes"), "",
                      "only with field.boundary: the holes of a field.file are those in the file");
+  }
+  if (!field.file.empty() && !field.to_work.empty()) {
+    throw InputError(top.source, place_of(*section, "to_work"), "", "only with field.boundary");
   }
   return field;
 }
@@ -363,13 +367,15 @@ Scenario read_scenario(const fs::path& file, std::optional<std::uint64_t> seed) 
   return scenario;
 }
 
-Scenario read_drive(const YamlSection& section, std::uint64_t seed) {
+Scenario read_drive(const YamlSection& section, std::uint64_t seed,
+                    const std::vector<std::string>& beside) {
   // Its keys are those of a scenario.
   const YamlSection top{section.source, "", section.node};
   std::vector<std::string> known = keys_in_section("");
   std::erase_if(known, [](const std::string& key) {
     return key == "name" || key == "seed" || key == "field" || key == "planner";
   });
+  known.insert(known.end(), beside.begin(), beside.end());
   refuse_unknown_keys(top, known);
   const fs::path file(section.source);
   Scenario scenario;

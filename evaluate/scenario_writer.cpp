@@ -66,6 +66,11 @@ void emit_field(YAML::Emitter& out, const FieldSource& field) {
     out << YAML::Key << "holes" << YAML::Value << YAML::BeginSeq;
     for (const Ring& hole : field.holes) emit(out, hole);
     out << YAML::EndSeq;
+    if (!field.to_work.empty()) {
+      out << YAML::Key << "to_work" << YAML::Value << YAML::BeginSeq;
+      for (const Ring& ring : field.to_work) emit(out, ring);
+      out << YAML::EndSeq;
+    }
   }
   out << YAML::Key << "obstacles" << YAML::Value << YAML::BeginSeq;
   for (const ObstacleSource& obstacle : field.obstacles) {

@@ -182,7 +182,9 @@ std::optional<Polyline> shortest_way(const RoadNetwork& network, std::size_t fro
   if (begin != goal && before[static_cast<std::size_t>(goal)] < 0) return std::nullopt;
   Polyline way;
   for (int node = goal; node >= 0; node = before[static_cast<std::size_t>(node)]) {
-    way.push_back(network.nodes_W[static_cast<std::size_t>(node)]);
+    const Vector2d& p_W = network.nodes_W[static_cast<std::size_t>(node)];
+    // A place on a road is a node of its own beside the road's.
+    if (way.empty() || way.back() != p_W) way.push_back(p_W);
   }
   std::ranges::reverse(way);
   return way;

@@ -26,7 +26,7 @@ RoadNetwork road_network(const std::vector<Polyline>& roads,
                          const std::vector<Eigen::Vector2d>& places_W, double reach_m);
 
 // From place to place, the first and last point theirs; none where no road leads there. A place
-// reaches itself by its one point.
+// reaches itself by its one point; no point is repeated.
 std::optional<Polyline> shortest_way(const RoadNetwork& network, std::size_t from, std::size_t to);
 
 inline constexpr double kRoadJoint_m = 1.0;

@@ -25,3 +25,6 @@ build/headland audit examples/demo.yaml --path examples/straight_rows.csv -o "$r
 cp "$results/audit/audit.png" docs/images/
 build/headland evaluate examples/field_b.yaml -o "$results/grid" --quiet
 cp "$results/grid/field.png" docs/images/grid_drive.png
+build/headland job examples/job.yaml -o "$results/job" --quiet
+build/headland audit "$results/job/scenario.yaml" --path "$results/job/path.geojson" -o "$results/job_audit" --quiet
+cp "$results/job_audit/audit.png" docs/images/job.png

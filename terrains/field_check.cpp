@@ -171,6 +171,15 @@ void check_field(Field& field, const std::string& source) {
   }
 }
 
+void check_to_work(Field& field, const std::string& source) {
+  for (std::size_t i = 0; i < field.to_work.size(); ++i) {
+    const std::string name = fmt::format("to_work {}", i + 1);
+    require_finite(source, name, field.to_work[i]);
+    merge_repeated_points(field.to_work[i]);
+    require_area(field, source, name, field.to_work[i]);
+  }
+}
+
 void check_entry(const Field& field, const std::string& source, const std::string& where) {
   if (!field.entry_W) return;
   require_finite(source, where, {*field.entry_W});

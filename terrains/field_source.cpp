@@ -90,7 +90,14 @@ Field read_field(const FieldSource& given, const std::string& source,
         .front();
   };
   if (given.entry.has_value()) field.entry_W = local(*given.entry, point_crs, given.entry_place);
+  for (const Ring& ring : given.to_work) {
+    field.to_work.push_back(
+        field.frame.georeferenced
+            ? local_from_wgs84(field.frame, wgs84_from_crs(point_crs, ring, source + ": to_work"))
+            : ring);
+  }
   check_field(field, geometry_source);
+  check_to_work(field, geometry_source);
   simplify(field, notes);
   check_entry(field, source, given.entry_place);
   const auto add = [&](const std::vector<ObstacleSource>& obstacles, const std::string& crs,

@@ -38,6 +38,7 @@ struct FieldSource {
   std::optional<GeoFrame> frame;  // to be brought into; none: one with its origin in the field
   Ring boundary;
   std::vector<Ring> holes;
+  std::vector<Ring> to_work;                // inline: outlines of the ground to be worked, see Field
   std::vector<ObstacleSource> obstacles;    // in `crs` (of the file: WGS 84 longitude, latitude)
   std::optional<Eigen::Vector2d> entry;     // likewise
   std::string entry_place = "field.entry";  // in the scenario, for messages
@@ -60,6 +61,9 @@ Field read_field(const FieldSource& field, const std::string& source,
 // Establishes Field's invariants on rings already in W: repeated points are merged, a closing
 // point is dropped, rings are oriented. Throws InputError as above. Not the entry's: see below.
 void check_field(Field& field, const std::string& source);
+
+// Throws InputError for an outline of the ground to be worked that bounds no area.
+void check_to_work(Field& field, const std::string& source);
 
 // Throws InputError unless the entry, if there is one, lies in the field.
 void check_entry(const Field& field, const std::string& source, const std::string& where);
