@@ -24,7 +24,7 @@ StoredEnergy stored_energy(const ChassisMass& mass, const ChassisState& chassis,
     stored.kinetic_j +=
         0.5 * wheels[i].inertia_kg_m2 * states[i].spin_rad_per_s * states[i].spin_rad_per_s;
   }
-  stored.spring_j = spring_energy_j(contacts, wheels) + belly_spring_j;
+  stored.spring_j = spring_energy_j(contacts, wheels, chassis.R_WB(2, 2)) + belly_spring_j;
   return stored;
 }
 

@@ -131,11 +131,13 @@ PerWheel<WheelContact> touch_ground(const Heightfield& terrain, const ChassisSta
 }
 
 double spring_energy_j(std::span<const WheelContact> contacts,
-                       std::span<const WheelDefinition> wheels) {
+                       std::span<const WheelDefinition> wheels, double uprightness) {
+  const double lift = 1.0 / std::max(uprightness, kLeastUprightness) - 1.0;
   double energy_j = 0.0;
   for (std::size_t i = 0; i < wheels.size(); ++i) {
-    energy_j +=
-        0.5 * wheels[i].stiffness_n_per_m * contacts[i].deflection_m * contacts[i].deflection_m;
+    const double deflection_m = contacts[i].deflection_m;
+    energy_j += wheels[i].stiffness_n_per_m * deflection_m *
+                (0.5 * deflection_m - wheels[i].free_radius_m * lift);
   }
   return energy_j;
 }

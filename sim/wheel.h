@@ -76,8 +76,10 @@ PerWheel<WheelContact> touch_ground(const Heightfield& terrain, const ChassisSta
                                     std::span<const WheelDefinition> wheels,
                                     double curvature_per_m);
 
-// Energy [J] in the tyres' vertical springs.
+// Energy [J] in the tyres' vertical springs of a body whose z axis has the vertical part
+// `uprightness`. A tilt lifts the hubs by R (1 / cos(tilt) - 1), which no force pays for: it is
+// taken off again here, or slopes would owe the ledger that much until they are left.
 double spring_energy_j(std::span<const WheelContact> contacts,
-                       std::span<const WheelDefinition> wheels);
+                       std::span<const WheelDefinition> wheels, double uprightness);
 
 }  // namespace headland
