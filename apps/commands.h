@@ -44,6 +44,7 @@ struct CommonOptions {
   std::optional<std::uint64_t> seed;
   std::optional<double> record_hz;
   std::string size;  // "WxH"; empty: the pictures' default
+  std::string cost;  // file with measured costs; empty: the scenario's
   bool allow_overrun = false;
   bool json = false;
   bool quiet = false;
@@ -55,6 +56,7 @@ void add_scenario_options(CLI::App& command, CommonOptions& options);
 // the largest number and cuts off what is too large; empty when nothing is.
 std::string whole_number_fault(const std::string& given);
 
+void add_cost_option(CLI::App& command, std::string& file);
 void add_record_option(CLI::App& command, CommonOptions& options);
 void add_size_option(CLI::App& command, CommonOptions& options);
 

@@ -19,6 +19,7 @@
 #include "evaluate/results.h"
 #include "render/gnuplot.h"
 #include "terrains/input_error.h"
+#include "terrains/input_file.h"
 #include "terrains/json_text.h"
 
 namespace headland {
@@ -31,6 +32,7 @@ struct CompareCommand {
   std::string spec;
   std::string folder;
   std::optional<std::uint64_t> seed;
+  std::string cost;
   int jobs = 1;
   bool drive = false;
   bool json = false;
@@ -71,6 +73,16 @@ int compare(const CompareCommand& command) {
   if (command.drive && !comparison.drive) {
     throw InputError(command.spec, "drive", "",
                      "the section is missing: --drive needs at least drive.vehicle");
+  }
+  if (!command.cost.empty()) {
+    require_file(command.cost);
+    take_measured_costs(std::filesystem::absolute(command.cost).lexically_normal(), comparison);
+    if (comparison.cost.objective == GridObjective::kLength) {
+      comparison.cost.objective = GridObjective::kMeasured;
+    }
+  }
+  for (const std::string& note : comparison.notes) {
+    fmt::print(stderr, "headland: {}\n", terminal_text(note));
   }
   if (!command.drive) comparison.drive.reset();
   require_gnuplot();
@@ -114,6 +126,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", given->folder, "Folder for the results")->required();
   command->add_option("--seed", given->seed, "Seed of every random draw, instead of the file's")
       ->check(whole_number_fault);
+  add_cost_option(*command, given->cost);
   command->add_option("--jobs", given->jobs, "Runs at the same time")->capture_default_str();
   command->add_flag("--drive", given->drive, "Drive the best plans in physics, as `drive` says");
   command->add_flag("--json", given->json, "Print compare.json, and nothing else");

@@ -18,7 +18,8 @@ namespace {
 std::string prepare(const Job& job) {
   if (job.scenario.path_file.empty()) {
     const PlanResult result = plan_stage(job);
-    return path_notes(result.path) + grid_notes(result);
+    return predicted_row(result) + path_notes(result.path) + grid_notes(result) +
+           notes_text(result.notes);
   }
   const std::optional<TrackReport> track = given_path_stage(job);
   return track ? track_summary(*track) : "";
@@ -51,6 +52,7 @@ void add_evaluate_command(CLI::App& app, int& exit_code) {
   command->add_option("SCENARIO", options->scenario, "Scenario file (YAML)")->required();
   command->add_option("-o,--output", options->folder, "Folder for the results")->required();
   add_scenario_options(*command, *options);
+  add_cost_option(*command, options->cost);
   add_record_option(*command, *options);
   add_size_option(*command, *options);
   command->footer(

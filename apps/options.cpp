@@ -10,6 +10,7 @@
 #include "evaluate/coverage.h"
 #include "evaluate/results.h"
 #include "terrains/input_error.h"
+#include "terrains/input_file.h"
 
 namespace headland {
 
@@ -39,6 +40,11 @@ void add_scenario_options(CLI::App& command, CommonOptions& options) {
   command.add_flag("--quiet,-q", options.quiet, "No progress and no summary");
 }
 
+void add_cost_option(CLI::App& command, std::string& file) {
+  command.add_option("--cost", file,
+                     "Plan by measured costs (costs.yaml of 'headland measure'; docs/costs.md)");
+}
+
 void add_record_option(CLI::App& command, CommonOptions& options) {
   command.add_option("--record-hz", options.record_hz, "Rows a second of run.csv");
 }
@@ -64,6 +70,11 @@ Job make_job(const std::filesystem::path& file, const std::filesystem::path& fol
                        fmt::format("more than 0 and at most {}, the simulation's rate", rate_hz));
     }
     job.scenario.simulation.record_hz = *options.record_hz;
+  }
+  if (!options.cost.empty()) {
+    const std::filesystem::path costs = std::filesystem::absolute(options.cost).lexically_normal();
+    require_file(costs);
+    plan_by_costs(costs, job.scenario.planner);
   }
   job.stage = load_stage(job.scenario);
   check_coverage_size(job.stage.field, job.scenario.working_width_m, job.scenario.coverage_cell_m,

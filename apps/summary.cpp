@@ -149,12 +149,6 @@ std::string verdict_text(const Job& job, const DriveResult& result) {
   return text;
 }
 
-std::string notes_text(const std::vector<std::string>& notes) {
-  std::string text;
-  for (const std::string& note : notes) text += "note: " + terminal_text(note) + "\n";
-  return text;
-}
-
 int manoeuvres_of(const Path& path, PathKind kind) {
   std::vector<int> seen;
   for (const PathSegment& segment : path.segments) {
@@ -194,6 +188,20 @@ std::string grid_rows(const PlanResult& result) {
 }
 
 }  // namespace
+
+std::string notes_text(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) text += "note: " + terminal_text(note) + "\n";
+  return text;
+}
+
+std::string predicted_row(const PlanResult& result) {
+  if (!result.predicted) return "";
+  const PredictedEnergy& predicted = *result.predicted;
+  return row("energy predicted", fmt::format("{:.1f} Wh", predicted.energy_wh),
+             fmt::format("{} times lowered, {} changes of gear, {:.0f} quarter turns raised",
+                         predicted.cycles, predicted.cusps, predicted.raised_quarters));
+}
 
 std::string charge_change_text(double delta_soc) {
   const double change_percent = std::round(-1000.0 * delta_soc) / 10.0;
@@ -248,13 +256,15 @@ std::string plan_summary(const Job& job, const PlanResult& result) {
       row("headland", fmt::format("{:.2f} m", result.plan.headland_width_m)) +
       row("path", fmt::format("{:.0f} m", length_m(result.path)),
           fmt::format("{:.0f} m of it in reverse", reverse_length_m(result.path)));
+  text += predicted_row(result);
   for (const PathKind kind : kEveryPathKind) {
     const int count = manoeuvres_of(result.path, kind);
     if (count == 0) continue;
     text += row(fmt::format("{} x {}", count, path_kind_name(kind)),
                 fmt::format("{:.0f} m", length_of_m(result.path, kind)));
   }
-  text += path_notes(result.path) + grid_notes(result) + notes_text(job.stage.notes);
+  text += path_notes(result.path) + grid_notes(result) + notes_text(job.stage.notes) +
+          notes_text(result.notes);
   for (const PathViolation& violation : result.path.violations) {
     text += fmt::format("  does not fit at x {:.1f}, y {:.1f} m: {}\n", violation.p_W.x(),
                         violation.p_W.y(), violation.what);
@@ -286,6 +296,21 @@ Json plan_summary_json(const Job& job, const PlanResult& result) {
   for (const PathKind kind : kEveryPathKind) {
     json["by_kind"][std::string(path_kind_name(kind))] = {
         {"count", manoeuvres_of(result.path, kind)}, {"length_m", length_of_m(result.path, kind)}};
+  }
+  if (result.predicted) {
+    Json& predicted = json["predicted"];
+    predicted["energy_wh"] = result.predicted->energy_wh;
+    for (const PathKind kind : kEveryPathKind) {
+      predicted["by_kind_wh"][std::string(path_kind_name(kind))] =
+          result.predicted->by_kind_wh[static_cast<std::size_t>(kind)];
+    }
+    predicted["working_m"] = result.predicted->working_m;
+    predicted["raised_m"] = result.predicted->raised_m;
+    predicted["working_quarters"] = result.predicted->working_quarters;
+    predicted["raised_quarters"] = result.predicted->raised_quarters;
+    predicted["pivot_quarters"] = result.predicted->pivot_quarters;
+    predicted["cycles"] = result.predicted->cycles;
+    predicted["cusps"] = result.predicted->cusps;
   }
   json["cut_back_m"] = result.path.cut_back_m;
   const TightestPlace& tightest = result.path.tightest;

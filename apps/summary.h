@@ -22,6 +22,12 @@ std::string charge_change_text(double delta_soc);
 std::string plan_summary(const Job& job, const PlanResult& result);
 nlohmann::ordered_json plan_summary_json(const Job& job, const PlanResult& result);
 
+// The energy that measured costs predict for the plan; empty where there are none.
+std::string predicted_row(const PlanResult& result);
+
+// "note: ..." a line.
+std::string notes_text(const std::vector<std::string>& notes);
+
 // Lines on swaths cut back for their turns and on the place where a pass keeps less than the
 // clearance asked for; empty where there is nothing to say.
 std::string path_notes(const Path& path);

@@ -57,6 +57,8 @@ struct Comparison {
   int repeats = 10;
   std::uint64_t seed = 1;
   GridCost cost;
+  std::filesystem::path cost_file;  // of the cost's measured ones; empty: none
+  std::vector<std::string> notes;   // on them
   Budget budget = Budget::kNone;
   ComparisonTests tests;
   std::optional<Scenario> drive;  // by what and over what plans are driven; without a field

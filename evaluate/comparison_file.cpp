@@ -65,7 +65,10 @@ Json stop_json(const SearchStop& stop) {
 
 Json cell_json(const GridCell& cell) { return {cell.column, cell.row}; }
 
-Json cost_json(const GridCost& cost) {
+Json cost_json(const GridCost& cost, const std::filesystem::path& file) {
+  if (cost.measured) {
+    return {{"objective", grid_objective_name(cost.objective)}, {"file", file.string()}};
+  }
   switch (cost.objective) {
     case GridObjective::kLength:
       return {{"objective", "length"}};
@@ -75,6 +78,7 @@ Json cost_json(const GridCost& cost) {
               {"turn", cost.weights.turn},
               {"u_turn", cost.weights.u_turn}};
     case GridObjective::kTractor:
+    case GridObjective::kMeasured:  // has measured costs
       break;
   }
   const TractorEnergy& tractor = cost.tractor;
@@ -99,7 +103,7 @@ Json asked_json(const Comparison& comparison) {
   json["equal_budget"] = comparison.budget == Budget::kNone          ? Json()
                          : comparison.budget == Budget::kEvaluations ? Json("evaluations")
                                                                      : Json("seconds");
-  json["cost"] = cost_json(comparison.cost);
+  json["cost"] = cost_json(comparison.cost, comparison.cost_file);
   for (const ComparedMap& map : comparison.maps) {
     json["maps"].push_back({{"name", map.name},
                             {"columns", map.map.columns},

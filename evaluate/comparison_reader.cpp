@@ -12,9 +12,12 @@
 
 #include "evaluate/comparison_figures.h"
 #include "evaluate/comparison_maps.h"
+#include "evaluate/planner_cost.h"
+#include "evaluate/scenario_grid.h"
 #include "evaluate/yaml_parameters.h"
 #include "evaluate/yaml_section.h"
 #include "terrains/input_error.h"
+#include "vehicle_models/vehicle_loader.h"
 
 namespace headland {
 namespace {
@@ -25,7 +28,8 @@ const std::vector<std::string> kTopKeys = {"name", "seed",   "repeats",  "start"
                                            "end",  "maps",   "planners", "cost",
                                            "stop", "budget", "tests",    "drive"};
 const std::vector<std::string> kPlannerKeys = {"name", "label", "stop"};
-const std::vector<std::string> kCostKeys = {"objective", "repeat", "turn", "u_turn", "tractor"};
+const std::vector<std::string> kCostKeys = {"file", "objective", "repeat",
+                                            "turn", "u_turn",    "tractor"};
 const std::vector<std::string> kStopKeys = {"iterations", "evaluations", "seconds", "stagnation"};
 const std::vector<std::string> kBudgetKeys = {"evaluations", "seconds"};
 const std::vector<std::string> kTestKeys = {"figure", "blocks", "control", "alpha"};
@@ -219,15 +223,34 @@ SearchStop read_stop(const YamlSection& section) {
 
 GridCost read_grid_cost(const YamlSection& top) {
   GridCost cost;
+  const YAML::Node given = top.node;
+  if (given["cost"].IsDefined() && given["cost"].IsScalar()) {
+    cost.objective = GridObjective::kMeasured;  // by the file of that name
+    return cost;
+  }
   const auto section = read_section(top, "cost");
   if (!section) return cost;
   refuse_unknown_keys(*section, kCostKeys);
-  cost.objective = std::array{GridObjective::kLength, GridObjective::kWeighted,
-                              GridObjective::kTractor}[read_choice(
-      *section, "objective", {"length", "weighted", "tractor"})];
+  const YAML::Node keys = section->node;
+  const bool measured = keys["file"].IsDefined();
+  if (measured && !keys["objective"].IsDefined()) cost.objective = GridObjective::kMeasured;
+  if (keys["objective"].IsDefined()) {
+    cost.objective = std::array{GridObjective::kLength, GridObjective::kWeighted,
+                                GridObjective::kTractor, GridObjective::kMeasured}[read_choice(
+        *section, "objective", {"length", "weighted", "tractor", "measured"})];
+  }
+  if (cost.objective == GridObjective::kMeasured && !measured) {
+    throw InputError(top.source, place_of(*section, "objective"), "measured",
+                     "needs cost.file, measured costs as headland measure writes them");
+  }
   const auto only_of = [&](std::string_view key, GridObjective objective, const char* word) {
     const YAML::Node node = section->node;
-    if (!node[std::string(key)].IsDefined() || cost.objective == objective) return;
+    if (!node[std::string(key)].IsDefined()) return;
+    if (measured) {
+      throw InputError(top.source, place_of(*section, key), "",
+                       "not with cost.file, which has the measured values of the terms");
+    }
+    if (cost.objective == objective) return;
     throw InputError(top.source, place_of(*section, key), "",
                      fmt::format("only with cost.objective: {}", word));
   };
@@ -246,8 +269,20 @@ GridCost read_grid_cost(const YamlSection& top) {
       value = read_number(*tractor, key.key, {0.0, 1e6}).value_or(value);
     }
   }
-  check_grid_cost(cost, fmt::format("{}: {}", top.source, place_of_itself(*section)));
+  if (!measured) {
+    check_grid_cost(cost, fmt::format("{}: {}", top.source, place_of_itself(*section)));
+  }
   return cost;
+}
+
+void take_measured_costs(const fs::path& file, Comparison& comparison) {
+  std::vector<std::string> notes;
+  const Vehicle vehicle = comparison.drive ? vehicle_of(*comparison.drive, comparison.file.string())
+                                           : load_vehicle(read_cost_table(file).vehicle);
+  const std::string soil = comparison.drive ? soil_text(comparison.drive->soil) : "";
+  comparison.cost_file = file;
+  comparison.cost.measured = read_drive_cost(file, vehicle, soil, notes);
+  if (comparison.drive) comparison.notes = notes;
 }
 
 Comparison read_comparison(const fs::path& file, std::optional<std::uint64_t> seed) {
@@ -263,6 +298,8 @@ Comparison read_comparison(const fs::path& file, std::optional<std::uint64_t> se
   if (const auto drive = read_section(top, "drive")) {
     comparison.drive = read_drive(*drive, comparison.seed);
   }
+  const fs::path costs = read_cost_file(top, fs::absolute(file).parent_path());
+  if (!costs.empty()) take_measured_costs(costs, comparison);
   read_planners(top, comparison);
   read_tests(top, comparison);
   read_maps(top, comparison);

@@ -23,6 +23,10 @@ namespace headland {
 Comparison read_comparison(const std::filesystem::path& file,
                            std::optional<std::uint64_t> seed = std::nullopt);
 
+// Gives the comparison's cost its measured costs. Throws InputError as read_drive_cost, for the
+// vehicle of `drive` or, without it, the costs' own.
+void take_measured_costs(const std::filesystem::path& file, Comparison& comparison);
+
 // The quantities of the tractor's energy under their keys.
 struct TractorKey {
   std::string_view key;

@@ -26,6 +26,7 @@ PlanResult plan_or_path(const Scenario& scenario, const Stage& stage,
           ? read_path(scenario.path_file, stage.field)
           : make_drivable(stage.field, stage.vehicle, read_track(scenario.path_file, stage.field),
                           scenario.path_tolerance_m, scenario.path, nullptr, cancelled);
+  predict(scenario, stage, given);
   return given;
 }
 

@@ -1,5 +1,6 @@
 #include "evaluate/plan_scenario.h"
 
+#include "evaluate/planner_cost.h"
 #include "planner/grid_planners.h"
 #include "planner/planners.h"
 #include "terrains/input_error.h"
@@ -8,9 +9,11 @@ namespace headland {
 namespace {
 
 // What a planner refuses of its request stands in the scenario.
-Plan planned(const Scenario& scenario, const Stage& stage, const CancelAsked& cancelled) {
+Plan planned(const Scenario& scenario, const Stage& stage, const std::optional<DriveCost>& cost,
+             const CancelAsked& cancelled) {
   const std::string source = scenario.file.string();
   PlanRequest request = plan_request(scenario, stage);
+  if (cost) request.cost = &*cost;
   request.cancelled = cancelled;
   try {
     return find_planner(scenario.planner.name, source).plan(request);
@@ -22,9 +25,10 @@ Plan planned(const Scenario& scenario, const Stage& stage, const CancelAsked& ca
 
 // Likewise on a grid map.
 GridPlan planned_on_grid(const Scenario& scenario, const Stage& stage,
-                         const CancelAsked& cancelled) {
+                         const std::optional<DriveCost>& cost, const CancelAsked& cancelled) {
   const std::string source = scenario.file.string();
   GridPlanRequest request = grid_plan_request(scenario, stage);
+  request.cost.measured = cost;
   request.cancelled = cancelled;
   try {
     return find_grid_planner(scenario.planner.name, source).plan(request);
@@ -33,22 +37,39 @@ GridPlan planned_on_grid(const Scenario& scenario, const Stage& stage,
   }
 }
 
+std::optional<DriveCost> cost_of(const Scenario& scenario, const Stage& stage,
+                                 std::vector<std::string>& notes) {
+  if (scenario.planner.cost_file.empty()) return std::nullopt;
+  return read_drive_cost(scenario.planner.cost_file, stage.vehicle, soil_text(scenario.soil),
+                         notes);
+}
+
+void predict_by(const std::optional<DriveCost>& cost, const Stage& stage, PlanResult& result) {
+  if (cost) result.predicted = predicted_energy(result.path, &stage.terrain, *cost);
+}
+
 }  // namespace
 
 PlanResult plan_scenario(const Scenario& scenario, const Stage& stage,
                          const CancelAsked& cancelled) {
   PlanResult made;
-  if (!stage.grid) {
-    made.plan = planned(scenario, stage, cancelled);
+  const std::optional<DriveCost> cost = cost_of(scenario, stage, made.notes);
+  if (stage.grid) {
+    made.grid_plan = planned_on_grid(scenario, stage, cost, cancelled);
+    made.grid_drive = make_grid_path(stage.field, stage.vehicle, *stage.grid, *made.grid_plan,
+                                     scenario.path, cancelled);
+    made.plan = made.grid_drive->plan;
+    made.path = made.grid_drive->path;
+  } else {
+    made.plan = planned(scenario, stage, cost, cancelled);
     made.path = make_path(stage.field, stage.vehicle, made.plan, scenario.path, cancelled);
-    return made;
   }
-  made.grid_plan = planned_on_grid(scenario, stage, cancelled);
-  made.grid_drive = make_grid_path(stage.field, stage.vehicle, *stage.grid, *made.grid_plan,
-                                   scenario.path, cancelled);
-  made.plan = made.grid_drive->plan;
-  made.path = made.grid_drive->path;
+  predict_by(cost, stage, made);
   return made;
+}
+
+void predict(const Scenario& scenario, const Stage& stage, PlanResult& result) {
+  predict_by(cost_of(scenario, stage, result.notes), stage, result);
 }
 
 }  // namespace headland

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "evaluate/scenario.h"
 #include "planner/cancel.h"
 #include "planner/drivable_path.h"
 #include "planner/grid_drivable.h"
+#include "planner/path_energy.h"
 
 namespace headland {
 
@@ -15,11 +18,17 @@ struct PlanResult {
   Path path;
   std::optional<GridPlan> grid_plan;  // of planners on grid maps
   std::optional<GridDrive> grid_drive;
+  std::optional<PredictedEnergy> predicted;  // where the scenario names measured costs
+  std::vector<std::string> notes;            // on these
 };
 
 // `stage` is the scenario's. Throws PlanInfeasible, InputError for what the planner refuses of its
-// request, and Cancelled.
+// request and as read_drive_cost, and Cancelled.
 PlanResult plan_scenario(const Scenario& scenario, const Stage& stage,
                          const CancelAsked& cancelled = {});
+
+// What the path will take by the costs that the scenario names, if it does, and notes on them.
+// Throws InputError as read_drive_cost.
+void predict(const Scenario& scenario, const Stage& stage, PlanResult& result);
 
 }  // namespace headland

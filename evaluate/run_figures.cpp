@@ -117,6 +117,10 @@ std::vector<std::string> all_keys() {
   }
   for (const GridFigure& figure : kGridFigures) keys.emplace_back(figure.key);
   keys.emplace_back("grid_unworked_ratio");
+  keys.emplace_back("predicted_energy_wh");
+  for (const PathKind kind : kEveryPathKind) {
+    keys.push_back(fmt::format("predicted_{}_wh", kind_key(kind)));
+  }
   for (const DriveFigure& figure : kDriveFigures) keys.emplace_back(figure.key);
   for (const PathKind kind : kEveryPathKind) {
     for (const char* part : {"_count", "_m", "_s", "_wh"}) keys.push_back(kind_key(kind) + part);
@@ -170,9 +174,14 @@ void set_plan_figures(const PlanResult& planned, RunFigures& figures) {
     set(count);
     set(kind_m);
   }
-  if (!planned.grid_plan) return;
-  for (const GridFigure& figure : kGridFigures) set(figure.value(*planned.grid_plan));
-  set(planned.grid_drive->unworked_ratio);
+  if (planned.grid_plan) {
+    for (const GridFigure& figure : kGridFigures) set(figure.value(*planned.grid_plan));
+    set(planned.grid_drive->unworked_ratio);
+  }
+  if (!planned.predicted) return;
+  set.place = run_figure_place("predicted_energy_wh");
+  set(planned.predicted->energy_wh);
+  for (const double wh : planned.predicted->by_kind_wh) set(wh);
 }
 
 void set_drive_figures(const Metrics& metrics, const RunRecord& run, RunFigures& figures) {

@@ -23,6 +23,7 @@ struct PlannerChoice {
   std::string name = "boustrophedon";
   Parameters parameters;             // resolved
   std::optional<GridPlanning> grid;  // of planners on grid maps alone
+  std::filesystem::path cost_file;   // measured costs to plan by; empty: none
 };
 
 struct Scenario {
@@ -57,6 +58,10 @@ Scenario read_scenario(const std::filesystem::path& file,
 Scenario read_drive(const YamlSection& section, std::uint64_t seed,
                     const std::vector<std::string>& beside = {});
 
+// Plans by these measured costs: by their objective where the planner has been asked for lengths,
+// else with its objective's terms as measured.
+void plan_by_costs(const std::filesystem::path& file, PlannerChoice& planner);
+
 // The scenario with every default written out, as YAML. Reading it gives the same scenario.
 std::string scenario_yaml(const Scenario& scenario);
 
@@ -76,8 +81,8 @@ Vehicle vehicle_of(const Scenario& scenario, const std::string& source);
 
 // Of planners on grid maps the field's map is read, or made of cells as wide as the working width;
 // what of the field is no free cell is not to be worked then. Throws InputError as read_field,
-// read_terrain, read_soil, load_vehicle, grid_of_field and grid_graph do, and for a start or end
-// that is no free cell.
+// read_terrain, read_soil, load_vehicle, grid_of_field and grid_graph do, and for
+// a start or end that is no free cell.
 Stage load_stage(const Scenario& scenario);
 
 // What the scenario asks of its planner. The stage must outlive the request.

@@ -23,26 +23,23 @@ void emit_number(YAML::Emitter& out, const char* key, Number value) {
   out << YAML::Key << key << YAML::Value << fmt::format("{}", value);
 }
 
-void emit_cost(YAML::Emitter& out, const GridCost& cost) {
-  out << YAML::Key << "cost" << YAML::Value << YAML::BeginMap << YAML::Key << "objective"
-      << YAML::Value;
-  switch (cost.objective) {
-    case GridObjective::kLength:
-      out << "length";
-      break;
-    case GridObjective::kWeighted:
-      out << "weighted";
-      emit_number(out, "repeat", cost.weights.repeat);
-      emit_number(out, "turn", cost.weights.turn);
-      emit_number(out, "u_turn", cost.weights.u_turn);
-      break;
-    case GridObjective::kTractor:
-      out << "tractor" << YAML::Key << "tractor" << YAML::Value << YAML::BeginMap;
-      for (const TractorKey& key : tractor_energy_keys()) {
-        emit_number(out, std::string(key.key).c_str(), cost.tractor.*key.value);
-      }
-      out << YAML::EndMap;
-      break;
+void emit_cost(YAML::Emitter& out, const GridCost& cost, const std::filesystem::path& file) {
+  out << YAML::Key << "cost" << YAML::Value << YAML::BeginMap;
+  if (!file.empty()) out << YAML::Key << "file" << YAML::Value << file.string();
+  out << YAML::Key << "objective" << YAML::Value
+      << std::string(grid_objective_name(cost.objective));
+  // Measured terms are the file's.
+  if (cost.objective == GridObjective::kWeighted && file.empty()) {
+    emit_number(out, "repeat", cost.weights.repeat);
+    emit_number(out, "turn", cost.weights.turn);
+    emit_number(out, "u_turn", cost.weights.u_turn);
+  }
+  if (cost.objective == GridObjective::kTractor && file.empty()) {
+    out << YAML::Key << "tractor" << YAML::Value << YAML::BeginMap;
+    for (const TractorKey& key : tractor_energy_keys()) {
+      emit_number(out, std::string(key.key).c_str(), cost.tractor.*key.value);
+    }
+    out << YAML::EndMap;
   }
   out << YAML::EndMap;
 }
@@ -73,13 +70,27 @@ GridPlanning read_grid_planning(const YamlSection& section) {
 void refuse_grid_planning(const YamlSection& section) {
   const YAML::Node mapping = section.node;
   for (const std::string_view key : kKeys) {
-    if (!mapping[std::string(key)].IsDefined()) continue;
+    const YAML::Node value = mapping[std::string(key)];
+    if (!value.IsDefined() || (key == "cost" && value.IsScalar())) continue;
     throw InputError(section.source, place_of(section, key), "",
-                     "only of planners on grid maps, planner.name: grid_...");
+                     key == "cost" ? "a file with measured costs is needed; sections are for "
+                                     "planners on grid maps, planner.name: grid_..."
+                                   : "only of planners on grid maps, planner.name: grid_...");
   }
 }
 
-void emit_grid_planning(YAML::Emitter& out, const GridPlanning& planning) {
+std::filesystem::path read_cost_file(const YamlSection& section,
+                                     const std::filesystem::path& folder) {
+  const YAML::Node mapping = section.node;
+  const YAML::Node cost = mapping["cost"];
+  if (!cost.IsDefined()) return {};
+  const auto name = cost.IsMap() ? read_word(*read_section(section, "cost"), "file")
+                                 : read_word(section, "cost", "a file or a section of keys");
+  return name ? (folder / *name).lexically_normal() : std::filesystem::path();
+}
+
+void emit_grid_planning(YAML::Emitter& out, const GridPlanning& planning,
+                        const std::filesystem::path& cost_file) {
   const auto emit_cell = [&](const char* key, const GivenCell& given) {
     out << YAML::Key << key << YAML::Value;
     if (const auto* cell = std::get_if<GridCell>(&given)) {
@@ -92,7 +103,7 @@ void emit_grid_planning(YAML::Emitter& out, const GridPlanning& planning) {
   emit_cell("end", planning.end);
   out << YAML::Key << "closed" << YAML::Value << (planning.closed ? "true" : "false");
   emit_number(out, "direction_deg", planning.direction_deg);
-  emit_cost(out, planning.cost);
+  emit_cost(out, planning.cost, cost_file);
   emit_stop(out, planning.stop);
 }
 

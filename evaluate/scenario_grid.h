@@ -3,6 +3,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -25,10 +26,19 @@ struct GridPlanning {
 // Of the section `planner`. Throws InputError with line and key path.
 GridPlanning read_grid_planning(const YamlSection& section);
 
-// Throws InputError when the section has one of those keys.
+// Throws InputError when the section has one of those keys; a cost that names a file is for all
+// planners.
 void refuse_grid_planning(const YamlSection& section);
 
-void emit_grid_planning(YAML::Emitter& out, const GridPlanning& planning);
+// The measured costs that `cost` names, as a word or as the file of a section; empty: none.
+// Relative names start at `folder`. Whoever plans will tell when it is not there: the results of a
+// run outlive it.
+std::filesystem::path read_cost_file(const YamlSection& section,
+                                     const std::filesystem::path& folder);
+
+// `cost_file`: the measured costs, or empty.
+void emit_grid_planning(YAML::Emitter& out, const GridPlanning& planning,
+                        const std::filesystem::path& cost_file);
 
 // The cells of a field, each cell_m wide; free cells become what is to be worked of it. Notes tell
 // of pockets that cannot be reached and of the ground left out.

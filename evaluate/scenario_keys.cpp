@@ -135,6 +135,7 @@ constexpr std::string_view kOtherKeys[] = {
     "planner.closed",
     "planner.direction_deg",
     "planner.cost",
+    "planner.cost.file",
     "planner.cost.objective",
     "planner.cost.repeat",
     "planner.cost.turn",

@@ -265,6 +265,7 @@ PlannerChoice read_planner(const YamlSection& top) {
   known.insert(known.end(), own.begin(), own.end());
   refuse_unknown_keys(section, known);
   choice.parameters = read_parameters(section, parameters);
+  choice.cost_file = read_cost_file(section, fs::absolute(top.source).parent_path());
   if (choice.grid) {
     choice.grid = read_grid_planning(section);
   } else {

@@ -145,7 +145,17 @@ std::string scenario_yaml(const Scenario& given) {
     begin_section(out, "planner");
     emit(out, "name", scenario.planner.name);
     emit_parameters(out, scenario.planner.parameters);
-    if (scenario.planner.grid) emit_grid_planning(out, *scenario.planner.grid);
+    const std::filesystem::path& cost_file = scenario.planner.cost_file;
+    if (scenario.planner.grid) {
+      emit_grid_planning(out, *scenario.planner.grid, cost_file);
+    } else if (!cost_file.empty()) {
+      emit(out, "cost", cost_file.string());
+    }
+    out << YAML::EndMap;
+  }
+  if (!scenario.path_file.empty() && !scenario.planner.cost_file.empty()) {
+    begin_section(out, "planner");
+    emit(out, "cost", scenario.planner.cost_file.string());
     out << YAML::EndMap;
   }
   begin_section(out, "path");

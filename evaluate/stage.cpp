@@ -73,6 +73,13 @@ Stage load_stage(const Scenario& scenario) {
   return stage;
 }
 
+void plan_by_costs(const std::filesystem::path& file, PlannerChoice& planner) {
+  planner.cost_file = file;
+  if (planner.grid && planner.grid->cost.objective == GridObjective::kLength) {
+    planner.grid->cost.objective = GridObjective::kMeasured;
+  }
+}
+
 PlanRequest plan_request(const Scenario& scenario, const Stage& stage) {
   const Vehicle& vehicle = stage.vehicle;
   PlanRequest request;

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kTopKeys = {"name",       "fields",      "terrains", "soils",
                                            "vehicles",   "planners",    "seeds",    "path",
                                            "simulation", "positioning", "coverage", "verdict"};
-const std::vector<std::string> kVehicleKeys = {"vehicle", "implement"};
+const std::vector<std::string> kVehicleKeys = {"vehicle", "implement", "cost"};
 const std::vector<std::string> kSeedKeys = {"first", "count"};
 // What of a scenario holds for all runs.
 constexpr const char* kCommonKeys[] = {"path", "simulation", "positioning", "coverage", "verdict"};
@@ -158,7 +158,7 @@ YamlSection drive_of(const YamlSection& top, const Entry& vehicle) {
   if (vehicle.value.IsMap()) {
     const YamlSection section{top.source, "vehicles", vehicle.value};
     refuse_unknown_keys(section, kVehicleKeys);
-    for (const std::string& key : kVehicleKeys) {
+    for (const char* key : {"vehicle", "implement"}) {
       const YAML::Node value = value_of(section, key);
       if (value.IsDefined()) drive[key] = value;
     }
@@ -203,7 +203,11 @@ void read_matrix(const YamlSection& top, const fs::path& folder, Sweep& sweep) {
   const std::vector<PlannerChoice> planners = read_planners(top, sweep);
   std::vector<std::pair<Scenario, Vehicle>> drives;
   for (const Entry& entry : read_entries(top, "vehicles", "a scenario's vehicle")) {
-    const Scenario drive = read_drive(drive_of(top, entry), 1);
+    Scenario drive = read_drive(drive_of(top, entry), 1);
+    if (entry.value.IsMap()) {
+      drive.planner.cost_file =
+          read_file_name({top.source, "vehicles", entry.value}, "cost", folder);
+    }
     drives.emplace_back(drive, vehicle_of(drive, top.source));
     sweep.vehicles.push_back(entry.label);
   }
@@ -213,6 +217,9 @@ void read_matrix(const YamlSection& top, const fs::path& folder, Sweep& sweep) {
         Scenario& scenario = sweep.scenarios.emplace_back(drive);
         scenario.field = field.source;
         scenario.planner = planner;
+        if (planner.cost_file.empty() && !drive.planner.cost_file.empty()) {
+          plan_by_costs(drive.planner.cost_file, scenario.planner);
+        }
         read_grid_map_numbers(field.section, vehicle, scenario);
       }
     }

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string_view>
 #include <utility>
 
+#include "planner/grid_prices.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -40,9 +42,70 @@ double energy_of_turn(const TractorEnergy& tractor, double cell_m) {
   return tractor.voltage_v * tractor.turn_current_a / kSecondsPerHour * time_s;
 }
 
+// What the terms of each objective take where costs were measured.
+CostShares measured_shares(const GridCost& cost, int cells, double cell_m) {
+  const GridPrices prices = grid_prices(*cost.measured, cell_m);
+  CostShares shares;
+  shares.turn = prices.turn;
+  shares.u_turn = prices.u_turn;
+  switch (cost.objective) {
+    case GridObjective::kLength:
+      return {0.0, 1.0, 0.0, 0.0, 0.0, 0.0};
+    case GridObjective::kWeighted:
+      shares.step = prices.step;
+      shares.constant = -prices.step * (cells - 1);
+      return shares;
+    case GridObjective::kTractor:
+      shares.level = prices.level_wh_per_m;
+      shares.climb = prices.climb_wh_per_m;
+      shares.u_turn = 2.0 * prices.turn;
+      return shares;
+    case GridObjective::kMeasured:
+      break;
+  }
+  shares.step = prices.step;
+  shares.constant = prices.cell * cells;
+  return shares;
+}
+
+double least_price(const GridGraph& graph) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int node = 0; node < graph.size(); ++node) {
+    for (int direction = 0; direction < kDirections; ++direction) {
+      if (at(at(graph.beside, node), direction) < 0) continue;
+      least = std::min(least, at(at(graph.step_wh, node), direction));
+    }
+  }
+  return std::isfinite(least) ? least : 0.0;  // a single cell has no steps
+}
+
 }  // namespace
 
+std::string_view grid_objective_name(GridObjective objective) {
+  switch (objective) {
+    case GridObjective::kLength:
+      return "length";
+    case GridObjective::kWeighted:
+      return "weighted";
+    case GridObjective::kTractor:
+      return "tractor";
+    case GridObjective::kMeasured:
+      break;
+  }
+  return "measured";
+}
+
+GridWeights weights_of(const GridCost& cost, double cell_m) {
+  if (!cost.measured) return cost.weights;
+  const GridPrices prices = grid_prices(*cost.measured, cell_m);
+  return {prices.step, prices.turn, prices.u_turn};
+}
+
 void check_grid_cost(const GridCost& cost, const std::string& source) {
+  if (cost.objective == GridObjective::kMeasured && !cost.measured) {
+    throw InputError(source, "objective", "measured",
+                     "a file with measured costs is needed for it (headland measure writes one)");
+  }
   const TractorEnergy& tractor = cost.tractor;
   check_weights({NamedValue{"weights.repeat", cost.weights.repeat},
                  NamedValue{"weights.turn", cost.weights.turn},
@@ -65,7 +128,13 @@ void check_grid_cost(const GridCost& cost, const std::string& source) {
 
 CostShares cost_shares(const GridCost& cost, const GridGraph& graph) {
   CostShares shares;
-  if (cost.objective == GridObjective::kLength) {
+  if (cost.measured) {
+    shares = measured_shares(cost, graph.size(), graph.cell_m);
+    if (!graph.step_wh.empty()) shares.step = least_price(graph);
+    // Without heights the slope's share is a step's.
+    if (graph.height_m.empty()) shares.step += graph.cell_m * std::exchange(shares.level, 0.0);
+    if (graph.height_m.empty()) shares.climb = 0.0;
+  } else if (cost.objective == GridObjective::kLength) {
     shares.step = 1.0;
   } else if (cost.objective == GridObjective::kWeighted) {
     shares.step = cost.weights.repeat;
@@ -89,6 +158,13 @@ CostShares cost_shares(const GridCost& cost, const GridGraph& graph) {
 }
 
 double cost_of(const GridCost& cost, const GridCounts& counts, double cell_m) {
+  if (cost.measured) {
+    const CostShares shares = measured_shares(cost, counts.distinct_cells, cell_m);
+    const double steps =
+        cost.objective == GridObjective::kMeasured ? counts.step_wh : shares.step * counts.steps;
+    return shares.constant + steps + shares.level * counts.level_m + shares.climb * counts.climb_m +
+           shares.turn * counts.turns + shares.u_turn * counts.u_turns;
+  }
   const TractorEnergy& tractor = cost.tractor;
   switch (cost.objective) {
     case GridObjective::kLength:
@@ -97,6 +173,7 @@ double cost_of(const GridCost& cost, const GridCounts& counts, double cell_m) {
       return cost.weights.repeat * counts.repeats + cost.weights.turn * counts.turns +
              cost.weights.u_turn * counts.u_turns;
     case GridObjective::kTractor:
+    case GridObjective::kMeasured:  // refused without measured costs
       break;
   }
   const double weight_n = tractor.mass_kg * tractor.gravity_m_s2;

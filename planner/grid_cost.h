@@ -1,8 +1,11 @@
 // What grid planners minimise.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
+#include "planner/drive_cost.h"
 #include "planner/grid_graph.h"
 #include "planner/grid_path.h"
 
@@ -11,8 +14,12 @@ namespace headland {
 enum class GridObjective {
   kLength,    // steps; Wang et al. 2025, Eq (2)
   kWeighted,  // repeats, turns and U-turns; Wu et al. 2023, Eq (1)
-  kTractor    // energy by Wang et al. 2025, Eqs (12) to (21)
+  kTractor,   // energy by Wang et al. 2025, Eqs (12) to (21)
+  kMeasured   // energy by measured costs, see grid_prices.h
 };
+
+// "length", "weighted", "tractor", "measured".
+std::string_view grid_objective_name(GridObjective objective);
 
 // Wu et al. 2023. The paper's 3.1 has 0.3 / 0.5 / 0.2, a slip: its fitness values are those of
 // 2.2.2, as here.
@@ -42,14 +49,21 @@ struct GridCost {
   GridObjective objective = GridObjective::kLength;
   GridWeights weights;
   TractorEnergy tractor;
+  // What kMeasured counts by. Where it is given, the terms of kWeighted and kTractor take their
+  // measured values in W h instead of weights and quantities: the two papers' terms, and no others.
+  std::optional<DriveCost> measured;
 };
 
-// Throws InputError(source, ...) for weights that are negative, not finite or all zero, and for
-// quantities of the tractor that are not positive.
+// What a repeat, a turn and a U-turn weigh: as given, or their measured values.
+GridWeights weights_of(const GridCost& cost, double cell_m);
+
+// Throws InputError(source, ...) for weights that are negative, not finite or all zero, for
+// quantities of the tractor that are not positive, and for kMeasured without measured costs.
 void check_grid_cost(const GridCost& cost, const std::string& source);
 
 // The same as shares: cost = constant + steps * step + level_m * level + climb_m * climb + turns *
-// turn + u_turns * u_turn.
+// turn + u_turns * u_turn. Where the graph has step_wh their sum stands for steps * step, and step
+// is the least of them.
 struct CostShares {
   double constant = 0.0;
   double step = 0.0;

@@ -26,6 +26,8 @@ struct GridGraph {
   std::vector<std::array<int, kDirections>> beside;  // node in each direction, -1: none
   std::vector<int> node_of;                          // by entry of the map; -1 where blocked
   std::vector<double> height_m;                      // of the nodes; empty: flat
+  // What steps from a node cost by direction, see step_prices; empty: nothing was measured.
+  std::vector<std::array<double, kDirections>> step_wh;
   double cell_m = 1.0;
 
   int size() const { return static_cast<int>(cells.size()); }

@@ -43,6 +43,7 @@ GridCounts count_path(const GridGraph& graph, const std::vector<int>& path) {
       const StepSlope slope = slope_of_step(graph, path[i - 1], path[i]);
       counts.level_m += slope.level_m;
       counts.climb_m += slope.climb_m;
+      if (!graph.step_wh.empty()) counts.step_wh += at(at(graph.step_wh, path[i - 1]), direction);
     }
     if (direction >= 0 && before >= 0) {
       counts.turns += is_turn(before, direction) ? 1 : 0;

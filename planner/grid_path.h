@@ -22,6 +22,7 @@ struct GridCounts {
   int u_turns = 0;       // Eqs (14), (15)
   double level_m = 0.0;  // sum of d cos^2(alpha) over the steps
   double climb_m = 0.0;  // sum of |height difference| sin(alpha)
+  double step_wh = 0.0;  // sum of the graph's step_wh, 0 where it has none
   int distinct_cells = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "planner/grid_prices.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -32,6 +33,9 @@ GridProblem grid_problem(const GridPlanRequest& request) {
   GridProblem problem;
   problem.graph = grid_graph(request.map, kGridPlanSource);
   check_grid_cost(request.cost, kGridPlanSource);
+  if (request.cost.objective == GridObjective::kMeasured) {
+    problem.graph.step_wh = step_prices(*request.cost.measured, problem.graph);
+  }
   check_stop(request.stop, kGridPlanSource);
   if (request.start) {
     problem.start = node_at(request.map, problem.graph, *request.start, kGridPlanSource, "start");

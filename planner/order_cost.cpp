@@ -106,9 +106,8 @@ double most_cost(const OrderCost& cost, const PlaceJoin& join) {
   const auto is_step = [&](int one, int other) {
     return one < 0 || direction_between(*cost.graph, one, other) >= 0;
   };
-  const bool steps = cost.shares.level == 0.0 && cost.shares.climb == 0.0 &&
-                     is_step(join.before, join.from) && is_step(join.from, join.to) &&
-                     is_step(join.after, join.to);
+  const bool steps = !cost.slopes && is_step(join.before, join.from) &&
+                     is_step(join.from, join.to) && is_step(join.after, join.to);
   return steps ? least_cost(cost, join) : std::numeric_limits<double>::infinity();
 }
 
@@ -186,10 +185,15 @@ double full_cost(const OrderCost& cost, std::span<const int> order) {
 
 double change_by_walked_reversal(const OrderCost& cost, const Order& order, int i, int j,
                                  double most) {
-  if (const double least = least_change_by_reversal(cost, order, i, j); least > most) return least;
+  if (!cost.slopes) {
+    if (const double least = least_change_by_reversal(cost, order, i, j); least > most) {
+      return least;
+    }
+  }
   const int begin = place_before(cost, order, i - 1, 0);
   const int end = place_after(cost, order, j + 1, last_place(order));
-  if (!is_parted(cost, order, i, j)) {
+  // What lies between is driven the other way, which costs the same unless steps are directed.
+  if (cost.directed || !is_parted(cost, order, i, j)) {
     return change_of_parts(cost, order, most, {{begin, end}},
                            {{begin, i - 1}, {i, j, true}, {j + 1, end}});
   }

@@ -13,7 +13,7 @@ namespace headland {
 // Orders name every node once; the one of a closed tour has its start at the end again. Changes are
 // looked up in the few places where neighbours change: four to six table entries where lengths
 // alone count, else the legs from the change to the next way on either side that is_fixed_way, and
-// for moves the section moved.
+// for moves the section moved, for reversals the section turned round if steps are directed.
 
 // All of the order: the cost of its expanded() path.
 double full_cost(const OrderCost& cost, std::span<const int> order);

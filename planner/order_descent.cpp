@@ -10,8 +10,9 @@ namespace {
 constexpr int kLongestSection = 3;   // cells that are moved together
 constexpr int kNearStepsLength = 3;  // which cells are near, where length alone counts
 constexpr int kNearStepsTurns = 1;
-constexpr int kLooksPerCheck = 256;    // between questions whether to go on
-constexpr int kLongestChange = 50000;  // places; rearranging them takes as long
+constexpr int kLooksPerCheck = 256;     // between questions whether to go on
+constexpr int kLongestChange = 50000;   // places; rearranging them takes as long
+constexpr int kLongestDirected = 1000;  // places that are walked the other way to price it
 
 void look_at(Descent& descent, int place) {
   if (place < 0 || place >= static_cast<int>(descent.order.size())) return;
@@ -69,7 +70,8 @@ bool is_allowed(const Descent& descent, const OrderChange& change) {
   if (change.i < places.first || change.j >= places.end || change.i > change.j) return false;
   const int low = change.moves ? std::min(change.i, change.to) : change.i;
   const int high = change.moves ? std::max(change.j, change.to) : change.j;
-  if (high - low > kLongestChange) return false;
+  const int longest = descent.cost.directed ? kLongestDirected : kLongestChange;
+  if (high - low > longest) return false;
   if (!change.moves) return change.i < change.j;
   const bool apart = change.to < change.i - 1 || change.to > change.j;
   return apart && change.to >= places.first - 1 && change.to < places.end;
@@ -119,7 +121,7 @@ int longest_way(const Descent& descent, int place) {
 // Whether there is anything to gain at the place: a way of more than one step, or a turn.
 bool costs_extra(const Descent& descent, int place) {
   const CostShares& shares = descent.cost.shares;
-  if (shares.level > 0.0 || shares.climb > 0.0) return true;
+  if (descent.cost.slopes) return true;
   const int first = std::max(place - 1, 0);
   const int last = std::min(place + 1, static_cast<int>(descent.order.size()) - 1);
   OrderWalk walk{descent.cost};

@@ -1,15 +1,20 @@
 #include "planner/order_walk.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace headland {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kNoDifference = 1e-12;  // W h, of prices of steps
 
 double step_cost(const OrderCost& cost, int from, int to) {
-  if (cost.graph->height_m.empty()) return cost.shares.step;
+  if (!cost.slopes) return cost.shares.step;
+  if (!cost.graph->step_wh.empty()) {
+    return at(at(cost.graph->step_wh, from), direction_between(*cost.graph, from, to));
+  }
   const StepSlope slope = slope_of_step(*cost.graph, from, to);
   return cost.shares.step + cost.shares.level * slope.level_m + cost.shares.climb * slope.climb_m;
 }
@@ -137,13 +142,43 @@ int append_leg(const OrderWalk& before, int to, int last_direction, std::vector<
   return last;
 }
 
+// Measured steps, beyond rounding.
+template <typename Differ>  // bool(int node, int direction, int next)
+bool any_step(const GridGraph& graph, Differ differ) {
+  if (graph.step_wh.empty()) return false;
+  for (int node = 0; node < graph.size(); ++node) {
+    for (int direction = 0; direction < kDirections; ++direction) {
+      const int next = at(at(graph.beside, node), direction);
+      if (next >= 0 && differ(node, direction, next)) return true;
+    }
+  }
+  return false;
+}
+
+bool differ(const GridGraph& graph) {
+  double first = -1.0;
+  return any_step(graph, [&](int node, int direction, int) {
+    const double price = at(at(graph.step_wh, node), direction);
+    if (first < 0.0) first = price;
+    return std::abs(price - first) > kNoDifference;
+  });
+}
+
+bool differ_by_direction(const GridGraph& graph) {
+  return any_step(graph, [&](int node, int direction, int next) {
+    return std::abs(at(at(graph.step_wh, node), direction) -
+                    at(at(graph.step_wh, next), opposite(direction))) > kNoDifference;
+  });
+}
+
 }  // namespace
 
 OrderCost order_cost(const GridGraph& graph, const DistanceTable& table, const GridCost& cost) {
-  OrderCost result{&graph, &table, cost_shares(cost, graph), true, {}};
+  OrderCost result{&graph, &table, cost_shares(cost, graph), true, false, false, {}};
   const CostShares& shares = result.shares;
-  result.lengths_only =
-      !(shares.turn > 0.0 || shares.u_turn > 0.0 || shares.level > 0.0 || shares.climb > 0.0);
+  result.slopes = shares.level > 0.0 || shares.climb > 0.0 || differ(graph);
+  result.directed = differ_by_direction(graph);
+  result.lengths_only = !(shares.turn > 0.0 || shares.u_turn > 0.0 || result.slopes);
   for (int one = 0; one < kDirections; ++one) {
     for (int next = 0; next < kDirections; ++next) {
       at(at(result.turn, one), next) =

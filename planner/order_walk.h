@@ -16,6 +16,8 @@ struct OrderCost {
   const DistanceTable* table = nullptr;
   CostShares shares;
   bool lengths_only = true;  // neither turns nor slopes cost anything
+  bool slopes = false;       // steps differ in what they cost
+  bool directed = false;     // and in the two directions between the same cells
   // Of going on in the second direction after a step in the first.
   std::array<std::array<double, kDirections>, kDirections> turn{};
 };

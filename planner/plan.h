@@ -25,6 +25,8 @@ struct Pass {
   std::vector<Eigen::Vector2d> points_W;
 };
 
+struct DriveCost;
+
 struct PlanRequest {
   Field field;
   const Heightfield* terrain = nullptr;  // not owned; may be null for planners that are flat
@@ -37,7 +39,8 @@ struct PlanRequest {
   double clearance_m = 0.1;       // to be kept between hull and boundary, holes and obstacles
   Parameters parameters;          // resolved against the planner's specs
   std::uint64_t seed = 1;
-  CancelAsked cancelled;  // ends planning with Cancelled
+  const DriveCost* cost = nullptr;  // measured ones; not owned; null: none
+  CancelAsked cancelled;            // ends planning with Cancelled
 };
 
 struct Plan {

@@ -160,7 +160,7 @@ std::vector<int> evolved(Evolution& evolution, int size) {
     stop_if(evolution.search.cancelled);
     Chromosome one;
     one.order = random_order(evolution.problem, evolution.random);
-    const GridWeights& weights = evolution.request.cost.weights;
+    const GridWeights weights = weights_of(evolution.request.cost, evolution.problem.graph.cell_m);
     one.weights = {weights.repeat, weights.turn, weights.u_turn};
     measure(evolution, one);
     set_fitness(evolution, one);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
@@ -18,6 +19,7 @@
 #include "planner/grid_bound.h"
 #include "terrains/grid_map_generator.h"
 #include "tests/planner/grid_examples.h"
+#include "tests/planner/made_up_cost.h"
 #include "tests/terrains/refusal.h"
 
 namespace headland {
@@ -53,6 +55,12 @@ class EveryGridPlanner : public testing::TestWithParam<GridCase> {
       request.stop.iterations = 2;
       request.stop.evaluations = 10000;
       request.cost.objective = std::get<1>(GetParam());
+      if (request.cost.objective == GridObjective::kMeasured) {
+        request.cost.measured = made_up_cost();
+        for (std::size_t i = 0; i < map.blocked.size(); ++i) {
+          request.map.height_m.push_back(0.2 * std::sin(static_cast<double>(i)));
+        }
+      }
       requests.push_back(request);
       request.start = GridCell{0, map.rows - 1};
       request.end = GridCell{map.columns - 1, 0};
@@ -145,17 +153,19 @@ std::string grid_case_name(const testing::TestParamInfo<GridCase>& info) {
     case GridObjective::kWeighted:
       return name + "_weighted";
     case GridObjective::kTractor:
+      return name + "_tractor";
+    case GridObjective::kMeasured:
       break;
   }
-  return name + "_tractor";
+  return name + "_measured";
 }
 
-INSTANTIATE_TEST_SUITE_P(Grids, EveryGridPlanner,
-                         testing::Combine(testing::Range(std::size_t{0}, grid_planners().size()),
-                                          testing::Values(GridObjective::kLength,
-                                                          GridObjective::kWeighted,
-                                                          GridObjective::kTractor)),
-                         grid_case_name);
+INSTANTIATE_TEST_SUITE_P(
+    Grids, EveryGridPlanner,
+    testing::Combine(testing::Range(std::size_t{0}, grid_planners().size()),
+                     testing::Values(GridObjective::kLength, GridObjective::kWeighted,
+                                     GridObjective::kTractor, GridObjective::kMeasured)),
+    grid_case_name);
 
 class GridRefusals : public testing::TestWithParam<std::size_t> {
  protected:

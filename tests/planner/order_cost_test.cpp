@@ -13,6 +13,7 @@
 #include "planner/seeded_random.h"
 #include "terrains/grid_map_generator.h"
 #include "tests/planner/grid_examples.h"
+#include "tests/planner/made_up_cost.h"
 
 namespace headland {
 namespace {
@@ -38,6 +39,9 @@ class EveryObjective : public testing::TestWithParam<std::tuple<GridObjective, b
     map.cell_m = 2.0;
     request_.map = map;
     request_.cost.objective = std::get<0>(GetParam());
+    if (request_.cost.objective == GridObjective::kMeasured) {
+      request_.cost.measured = made_up_cost();
+    }
     problem_ = grid_problem(request_);
     table_ = distance_table(problem_.graph, "test");
     cost_ = order_cost(problem_.graph, table_, request_.cost);
@@ -90,11 +94,11 @@ TEST_P(EveryObjective, ChangesAreDifferencesOfFullCosts) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OrderCost, EveryObjective,
-                         testing::Combine(testing::Values(GridObjective::kLength,
-                                                          GridObjective::kWeighted,
-                                                          GridObjective::kTractor),
-                                          testing::Bool()));
+INSTANTIATE_TEST_SUITE_P(
+    OrderCost, EveryObjective,
+    testing::Combine(testing::Values(GridObjective::kLength, GridObjective::kWeighted,
+                                     GridObjective::kTractor, GridObjective::kMeasured),
+                     testing::Bool()));
 
 }  // namespace
 }  // namespace headland
