@@ -321,6 +321,7 @@ Json plan_summary_json(const Job& job, const PlanResult& result) {
   }
   json["violations"] = result.path.violations.size();
   json["notes"] = job.stage.notes;
+  for (const std::string& note : result.notes) json["notes"].push_back(note);
   return json;
 }
 
