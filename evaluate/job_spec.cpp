@@ -124,8 +124,7 @@ JobSpec read_job(const fs::path& file, std::optional<std::uint64_t> seed) {
 }
 
 std::vector<std::string> job_key_paths() {
-  std::vector<std::string> paths;
-  for (const std::string& key : kOwnKeys) paths.push_back(key);
+  std::vector<std::string> paths = kOwnKeys;
   for (const std::string& key : kFieldKeys) paths.push_back("fields." + key);
   return paths;
 }

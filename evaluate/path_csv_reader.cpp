@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "evaluate/metrics.h"
 #include "evaluate/path_csv.h"
 #include "terrains/csv_table.h"
 #include "terrains/input_error.h"
