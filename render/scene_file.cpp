@@ -47,9 +47,8 @@ Standing standing(const PictureScene& scene, const Relief& relief) {
       all.meshes.push_back(obstacle_mesh(obstacle));
       continue;
     }
-    const std::vector<Point3> ends =
-        draped(scene.terrain, relief, {obstacle.p_W, obstacle.p_W + obstacle.run_W}, false,
-               kPiece_m, 0.0);
+    const std::vector<Point3> ends = draped(
+        scene.terrain, relief, {obstacle.p_W, obstacle.p_W + obstacle.run_W}, false, kPiece_m, 0.0);
     for (std::size_t i = 1; i < ends.size(); ++i) {
       const Point3 foot = 0.5 * (ends[i - 1] + ends[i]);
       all.feet.push_back(foot);
