@@ -21,6 +21,7 @@ constexpr double kYawIntegralGain_per_s2 = 300.0;
 constexpr double kPivotReady_rad = 0.02;     // heading error at which a pivot is done
 constexpr double kPivotGain_per_s = 2.0;     // yaw rate per heading error, up to the limit
 constexpr double kPivotAuthority = 0.3;      // least share of way along x that leads to the line
+constexpr double kLoweringMargin_m = 0.05;   // what the speed loop overshoots on that way, and more
 constexpr double kReferenceLead_mps = 0.3;   // the reference waits for a vehicle that lags by this
 constexpr double kLeastLateralShare = 0.25;  // of the lateral acceleration, kept on any side slope
 
@@ -45,7 +46,8 @@ double lowering_way_m(const Route& route, const Vehicle& vehicle, const DriverVi
   const double lowering_s = vehicle.implement.lift_time_s;
   const double gain_mps = std::max(0.0, speed_limit_mps(route, place) - speed_mps);
   const double speeding_s = std::min(lowering_s, gain_mps / most_mps2);
-  return speed_mps * lowering_s + most_mps2 * speeding_s * (lowering_s - 0.5 * speeding_s);
+  return speed_mps * lowering_s + most_mps2 * speeding_s * (lowering_s - 0.5 * speeding_s) +
+         kLoweringMargin_m;
 }
 
 // Angle [rad] that a skid-steered vehicle has to turn on the spot before it starts its run; 0 when

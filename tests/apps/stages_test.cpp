@@ -228,6 +228,7 @@ TEST_F(StagesTest, CtrlCWhilePlanningWritesNothing) {
 TEST_F(StagesTest, CtrlCWhileDrawingEndsAtOnceAndLeavesNoPicture) {
   ASSERT_LE(headland(kEvaluateTiny + "DIR -q").exit_code, 1);
   const std::string before = text_of(folder_ / "DIR" / "field.png");
+  const std::size_t files_before = files_in("DIR").size();
   constexpr useconds_t kIntoTheDrawing_us = 500000;
   constexpr double kAtOnce_s = 3.0;  // on a busy machine; pictures this large take longer
   const Interruption render =
@@ -236,7 +237,7 @@ TEST_F(StagesTest, CtrlCWhileDrawingEndsAtOnceAndLeavesNoPicture) {
   EXPECT_EQ(render.err, "headland: interrupted; what the finished stages wrote is kept\n");
   EXPECT_LT(render.took_s, kAtOnce_s);
   EXPECT_EQ(text_of(folder_ / "DIR" / "field.png"), before);
-  EXPECT_EQ(files_in("DIR").size(), 10U);
+  EXPECT_EQ(files_in("DIR").size(), files_before);
 }
 
 TEST_F(StagesTest, CtrlCEndsPlanningWithinASecond) {

@@ -33,6 +33,7 @@ MeasuredCost cost_of_one(ManoeuvreKind kind, bool down, double along, double acr
 // 2, a cusp 4 more: the turns between rows are made of these.
 CostTable made_up_table() {
   CostTable table;
+  table.repeats = 1;
   table.vehicle = "transplanter";
   table.soil = "firm";
   table.working_width_m = 2.0;
