@@ -38,9 +38,9 @@ struct FieldSource {
   std::optional<GeoFrame> frame;  // to be brought into; none: one with its origin in the field
   Ring boundary;
   std::vector<Ring> holes;
-  std::vector<Ring> to_work;                // inline: outlines of the ground to be worked, see Field
-  std::vector<ObstacleSource> obstacles;    // in `crs` (of the file: WGS 84 longitude, latitude)
-  std::optional<Eigen::Vector2d> entry;     // likewise
+  std::vector<Ring> to_work;              // inline: outlines of the ground to be worked, see Field
+  std::vector<ObstacleSource> obstacles;  // in `crs` (of the file: WGS 84 longitude, latitude)
+  std::optional<Eigen::Vector2d> entry;   // likewise
   std::string entry_place = "field.entry";  // in the scenario, for messages
 };
 
