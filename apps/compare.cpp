@@ -74,6 +74,10 @@ int compare(const CompareCommand& command) {
     throw InputError(command.spec, "drive", "",
                      "the section is missing: --drive needs at least drive.vehicle");
   }
+  if (!command.cost.empty() && is_of_fields(comparison)) {
+    throw InputError("--cost", "", command.cost,
+                     "not with fields, whose plans are compared by length");
+  }
   if (!command.cost.empty()) {
     require_file(command.cost);
     take_measured_costs(std::filesystem::absolute(command.cost).lexically_normal(), comparison);
@@ -86,6 +90,7 @@ int compare(const CompareCommand& command) {
   }
   if (!command.drive) comparison.drive.reset();
   require_gnuplot();
+  prove_least_lengths(comparison, {command.jobs, nullptr, interrupted});
   const std::vector<ComparedRun> runs = run_with_progress(comparison, command);
   const ComparisonRanks ranks = rank_planners(comparison, runs);
   nlohmann::ordered_json json = comparison_json(comparison, runs, ranks, HEADLAND_VERSION);
@@ -118,10 +123,11 @@ int compare(const CompareCommand& command) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("compare", "Compare planners on grid maps");
+  auto* command = app.add_subcommand("compare", "Compare planners on grid maps or on fields");
   auto given = std::make_shared<CompareCommand>();
   given->jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  command->add_option("SPEC", given->spec, "Maps, planners and how to compare them (YAML)")
+  command
+      ->add_option("SPEC", given->spec, "Maps or fields, planners and how to compare them (YAML)")
       ->required();
   command->add_option("-o,--output", given->folder, "Folder for the results")->required();
   command->add_option("--seed", given->seed, "Seed of every random draw, instead of the file's")
@@ -133,7 +139,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   command->add_flag("--quiet,-q", given->quiet, "No progress and no summary");
   command->footer(
       "Example:\n  headland compare examples/compare.yaml -o out/compare\n"
-      "  headland compare examples/compare.yaml --drive -o out/compare\n\n"
+      "  headland compare examples/compare.yaml --drive -o out/compare\n"
+      "  headland compare examples/compare_fields.yaml -o out/compare_fields\n\n"
       "Writes compare.json, runs.csv, table.csv, and for each map plans_MAP.png,\n"
       "convergence_MAP.svg and plan_MAP_PLANNER.png, and report.html that shows them.\n"
       "Exits with 0, 2 for bad input, 130 after Ctrl-C (finished runs are kept).");

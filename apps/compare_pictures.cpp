@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <string_view>
 
 #include "apps/interrupt.h"
@@ -12,6 +13,7 @@
 #include "render/convergence_chart.h"
 #include "render/gnuplot.h"
 #include "render/grid_picture.h"
+#include "render/region_picture.h"
 #include "terrains/input_error.h"
 #include "terrains/json_text.h"
 
@@ -35,6 +37,39 @@ std::string file_name(const PictureName& kind, const std::string& name) {
 
 std::string counted(int count, const char* one, const char* more) {
   return fmt::format("{} {}", count, count == 1 ? one : more);
+}
+
+RegionGround ground_of(const ComparedRegion& region) {
+  RegionGround ground{{region.field.boundary, region.field.holes},
+                      {},
+                      region.parts.dropped_W,
+                      region.start_W,
+                      region.end_W};
+  for (const RegionPart& part : region.parts.parts) ground.parts_W.push_back(part.outline_W);
+  return ground;
+}
+
+RegionFigure region_figure_of(const ComparedRegion& region, const ComparedPlanner& planner,
+                              const std::vector<const ComparedRun*>& runs) {
+  RegionFigure figure;
+  figure.title = planner.label;
+  const RunCounts counts = run_counts(runs);
+  const ComparedRun* best = best_run(runs);
+  if (best == nullptr) {
+    figure.lines = {counts.refused > 0 ? "refused: " + counts.refusal : "not run"};
+    return figure;
+  }
+  const std::vector<WorkedPart> parts = worked_parts(region, planner.sweeps);
+  for (const RegionVisit visit : best->region.visits) {
+    figure.visits.push_back({visit.part, way_of(parts, visit)});
+  }
+  figure.lines.push_back(fmt::format("{:.1f} m", best->region.length_m));
+  if (best->least_m) {
+    figure.lines.back() += fmt::format(", {:.2f} % above the least possible",
+                                       100.0 * (best->region.length_m / *best->least_m - 1.0));
+  }
+  if (counts.planned > 1) figure.lines.back() += fmt::format("; best of {} plans", counts.planned);
+  return figure;
 }
 
 GridFigure figure_of(const std::string& label, const std::vector<const ComparedRun*>& runs) {
@@ -72,12 +107,53 @@ ConvergenceLine line_of(const std::string& label, const std::vector<const Compar
   line.label = label;
   for (const ComparedRun* run : runs) {
     if (run->state != RunState::kPlanned) continue;
-    line.runs.push_back(run->plan.convergence);
-    line.iterations.push_back(run->plan.iterations);
-    line.evaluations.push_back(run->plan.evaluations);
+    const RunSearch search = search_of(*run);
+    line.runs.push_back(search.convergence);
+    line.iterations.push_back(search.iterations);
+    line.evaluations.push_back(search.evaluations);
   }
   if (run_counts(runs).with_jumps > 0) line.label += " (jumps)";
   return line;
+}
+
+// What is drawn of a map or a field: a planner's best plan alone, and all of them.
+struct PlanPictures {
+  std::function<Image(std::size_t planner, const std::string& title)> alone;
+  std::function<Image()> sheet;
+};
+
+PlanPictures map_pictures(const Comparison& comparison, int m,
+                          const std::vector<ComparedRun>& runs) {
+  const ComparedMap& map = comparison.maps[static_cast<std::size_t>(m)];
+  std::vector<GridFigure> figures;
+  for (std::size_t p = 0; p < comparison.planners.size(); ++p) {
+    figures.push_back(
+        figure_of(comparison.planners[p].label, runs_of(runs, m, static_cast<int>(p))));
+  }
+  const auto alone = [&map, figures](std::size_t planner, const std::string& title) {
+    GridFigure figure = figures[planner];
+    figure.title = title;
+    return draw_grid_plan(map.map, figure);
+  };
+  return {alone, [&map, figures] { return draw_grid_sheet(map.map, map.name, figures); }};
+}
+
+PlanPictures field_pictures(const Comparison& comparison, int m,
+                            const std::vector<ComparedRun>& runs) {
+  const ComparedMap& field = comparison.maps[static_cast<std::size_t>(m)];
+  const RegionGround ground = ground_of(*field.region);
+  std::vector<RegionFigure> figures;
+  for (std::size_t p = 0; p < comparison.planners.size(); ++p) {
+    figures.push_back(region_figure_of(*field.region, comparison.planners[p],
+                                       runs_of(runs, m, static_cast<int>(p))));
+  }
+  const auto alone = [ground, figures](std::size_t planner, const std::string& title) {
+    RegionFigure figure = figures[planner];
+    figure.title = title;
+    return draw_region_plan(ground, figure);
+  };
+  return {alone,
+          [&field, ground, figures] { return draw_region_sheet(ground, field.name, figures); }};
 }
 
 }  // namespace
@@ -88,25 +164,21 @@ std::vector<FileText> comparison_pictures(const Comparison& comparison,
   std::vector<FileText> files;
   for (std::size_t m = 0; m < comparison.maps.size(); ++m) {
     const ComparedMap& map = comparison.maps[m];
-    std::vector<GridFigure> figures;
+    const PlanPictures pictures = map.region ? field_pictures(comparison, static_cast<int>(m), runs)
+                                             : map_pictures(comparison, static_cast<int>(m), runs);
     std::vector<ConvergenceLine> lines;
     for (std::size_t p = 0; p < comparison.planners.size(); ++p) {
       const std::string& label = comparison.planners[p].label;
-      const auto own = runs_of(runs, static_cast<int>(m), static_cast<int>(p));
-      figures.push_back(figure_of(label, own));
-      lines.push_back(line_of(label, own));
-      GridFigure alone = figures.back();
-      alone.title = fmt::format("{}: {}", map.name, label);
-      files.push_back(
-          {file_name(kPlan, map.name + "_" + label), png_of(draw_grid_plan(map.map, alone))});
+      lines.push_back(line_of(label, runs_of(runs, static_cast<int>(m), static_cast<int>(p))));
+      files.push_back({file_name(kPlan, map.name + "_" + label),
+                       png_of(pictures.alone(p, fmt::format("{}: {}", map.name, label)))});
       // Maps and labels that differ may join to the same name.
       const auto same = [&](const FileText& file) { return file.name == files.back().name; };
       for (int other = 2; std::count_if(files.begin(), files.end(), same) > 1; ++other) {
         files.back().name = file_name(kPlan, fmt::format("{}_{}_{}", map.name, label, other));
       }
     }
-    files.push_back(
-        {file_name(kSheet, map.name), png_of(draw_grid_sheet(map.map, map.name, figures))});
+    files.push_back({file_name(kSheet, map.name), png_of(pictures.sheet())});
     const bool planned = std::any_of(
         lines.begin(), lines.end(), [](const ConvergenceLine& line) { return !line.runs.empty(); });
     if (!planned) continue;

@@ -6,45 +6,26 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
+#include <utility>
 
 #include "apps/terminal_text.h"
+#include "apps/text_table.h"
 #include "evaluate/comparison_figures.h"
-#include "render/typeface.h"
 
 namespace headland {
 namespace {
 
 // Figures that have a column of their own; the others are in the files.
-constexpr std::array<std::string_view, 8> kMeans = {
+constexpr std::array<std::string_view, 8> kMapMeans = {
     "coverage_rate", "repeat_rate",           "length_steps", "turns",
     "u_turns",       "convergence_iteration", "evaluations",  "seconds"};
+constexpr std::array<std::string_view, 5> kFieldMeans = {
+    "gap", "convergence_iteration", "convergence_seconds", "evaluations", "seconds"};
 
-using Row = std::vector<std::string>;
-
-// Letters, not bytes.
-std::size_t width_of(const std::string& text) { return letters(text).size(); }
-
-// The first column to the left, the others to the right.
-std::string aligned(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths;
-  for (const Row& row : rows) {
-    widths.resize(std::max(widths.size(), row.size()), 0);
-    // A row with one entry is a line of its own.
-    for (std::size_t i = 0; i < row.size() && row.size() > 1; ++i) {
-      widths[i] = std::max(widths[i], width_of(row[i]));
-    }
-  }
-  std::string text;
-  for (const Row& row : rows) {
-    std::string line = " ";
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::size_t used = std::min(widths[i], width_of(row[i]));
-      const std::string blanks(widths[i] - used, ' ');
-      line += i == 0 ? " " + row[i] + blanks : "  " + blanks + row[i];
-    }
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
+std::span<const std::string_view> means_of(const Comparison& comparison) {
+  if (is_of_fields(comparison)) return kFieldMeans;
+  return kMapMeans;
 }
 
 const ComparedFigure& figure_named(std::string_view key) { return find_figure(key, "summary", ""); }
@@ -58,13 +39,18 @@ std::string runs_text(const RunCounts& counts) {
                                         : fmt::format("{} of {}", counts.planned, counts.asked);
 }
 
-Row heading() {
-  Row row = {"", "runs", "cost", "± sd", "best", "worst"};
-  for (const std::string_view key : kMeans) row.emplace_back(figure_named(key).heading);
+Row heading(const Comparison& comparison) {
+  const bool of_fields = is_of_fields(comparison);
+  Row row = {"", "runs", of_fields ? "length m" : "cost", "± sd", "best", "worst"};
+  if (of_fields) row.emplace_back("median gap %");
+  for (const std::string_view key : means_of(comparison)) {
+    row.emplace_back(figure_named(key).heading);
+  }
   return row;
 }
 
-Row planner_row(const std::string& label, const std::vector<const ComparedRun*>& runs) {
+Row planner_row(const Comparison& comparison, const std::string& label,
+                const std::vector<const ComparedRun*>& runs) {
   const RunCounts counts = run_counts(runs);
   Row row = {label, runs_text(counts)};
   const ComparedFigure& cost = figure_named("cost");
@@ -74,9 +60,15 @@ Row planner_row(const std::string& label, const std::vector<const ComparedRun*>&
   row.push_back(spread->runs > 1 ? number_text(cost, spread->deviation) : "");
   row.push_back(number_text(cost, spread->best));
   row.push_back(number_text(cost, spread->worst));
-  for (const std::string_view key : kMeans) {
+  if (is_of_fields(comparison)) {
+    const ComparedFigure& gap = figure_named("gap");
+    const auto gaps = spread_of(gap, runs);
+    row.push_back(gaps ? number_text(gap, gaps->median) : "-");
+  }
+  for (const std::string_view key : means_of(comparison)) {
     const ComparedFigure& figure = figure_named(key);
-    row.push_back(number_text(figure, spread_of(figure, runs)->mean));
+    const auto own = spread_of(figure, runs);
+    row.push_back(own ? number_text(figure, own->mean) : "-");
   }
   return row;
 }
@@ -127,18 +119,44 @@ std::string drive_table(const Comparison& comparison, int m, const std::vector<C
   return aligned(rows) + remarks;
 }
 
+std::string place_text(const std::optional<Eigen::Vector2d>& p_W) {
+  return p_W ? fmt::format("({:.1f}, {:.1f})", p_W->x(), p_W->y()) : "free";
+}
+
+std::string field_line(const ComparedMap& field) {
+  const ComparedRegion& region = *field.region;
+  constexpr double kHectare_m2 = 1e4;
+  std::string text =
+      fmt::format("{}: {:.2f} ha in {} parts ({}), swaths {:g} m wide, start {}, end {}",
+                  terminal_text(field.name), field_area_m2(region.field) / kHectare_m2,
+                  region.parts.parts.size(), decomposition_name(region.options.decomposition),
+                  region.options.width_m, place_text(region.start_W), place_text(region.end_W));
+  if (!region.parts.dropped_W.empty()) {
+    text += fmt::format("; {} small parts dropped, {:.1f} m2", region.parts.dropped_W.size(),
+                        dropped_m2(region.parts));
+  }
+  for (const auto& [least_m, how] : {std::pair{region.least_own_m, "each part along its own edge"},
+                                     std::pair{region.least_any_m, "along any edge"}}) {
+    if (least_m) text += fmt::format("\n  least possible, {}: {:.2f} m", how, *least_m);
+  }
+  return text;
+}
+
+std::string map_line(const ComparedMap& map) {
+  return fmt::format("{}: {} x {} cells of {:g} m, {} free, start {}, end {}",
+                     terminal_text(map.name), map.map.columns, map.map.rows, map.map.cell_m,
+                     free_cell_count(map.map), cells_text(map.start), cells_text(map.end));
+}
+
 std::string map_table(const Comparison& comparison, int m, const std::vector<ComparedRun>& runs) {
   const ComparedMap& map = comparison.maps[static_cast<std::size_t>(m)];
-  std::string text =
-      fmt::format("\n{}: {} x {} cells of {:g} m, {} free, start {}, end {}\n",
-                  terminal_text(map.name), map.map.columns, map.map.rows, map.map.cell_m,
-                  free_cell_count(map.map), cells_text(map.start), cells_text(map.end));
-  std::vector<Row> rows = {heading()};
+  std::string text = "\n" + (map.region ? field_line(map) : map_line(map)) + "\n";
+  std::vector<Row> rows = {heading(comparison)};
   std::string remarks;
   for (std::size_t p = 0; p < comparison.planners.size(); ++p) {
     const std::string label = terminal_text(comparison.planners[p].label);
     const auto own = runs_of(runs, m, static_cast<int>(p));
-    rows.push_back(planner_row(label, own));
+    rows.push_back(planner_row(comparison, label, own));
     const RunCounts counts = run_counts(own);
     if (counts.refused > 0) {
       remarks += fmt::format("  {} refused {} of {} runs: {}\n", label, counts.refused,
@@ -228,10 +246,14 @@ std::string pairs_table(const Comparison& comparison, const ComparisonRanks& ran
 
 std::string tests_text(const Comparison& comparison, const ComparisonRanks& ranks) {
   const bool maps = comparison.tests.blocks == BlockKind::kMaps;
+  const char* what = is_of_fields(comparison) ? "fields" : "maps";
   std::string text =
-      fmt::format("\nranks by {} over {} {}{}\n", comparison.tests.figure, ranks.blocks.size(),
-                  maps ? "maps, each with its mean over the repeats" : "single runs",
-                  maps ? ": what holds for maps like these" : ": what holds for these very maps");
+      fmt::format("\nranks by {} over {} ", comparison.tests.figure, ranks.blocks.size());
+  text += maps ? fmt::format(
+                     "{0}, each with its mean over the repeats: what holds for {0} like "
+                     "these\n",
+                     what)
+               : fmt::format("single runs: what holds for these very {}\n", what);
   if (!ranks.average_ranks.empty()) text += ranks_table(comparison, ranks);
   text += friedman_text(comparison, ranks) + pairs_table(comparison, ranks);
   for (const std::string& note : ranks.notes) text += "  note: " + note + "\n";
@@ -255,10 +277,11 @@ std::string budget_text(const Comparison& comparison) {
 
 std::string comparison_summary(const Comparison& comparison, const std::vector<ComparedRun>& runs,
                                const ComparisonRanks& ranks) {
-  std::string text = fmt::format("{}: {} planners on {} maps, {} repeats, {}, seed {}\n",
-                                 terminal_text(comparison.name), comparison.planners.size(),
-                                 comparison.maps.size(), comparison.repeats,
-                                 budget_text(comparison), comparison.seed);
+  std::string text =
+      fmt::format("{}: {} planners on {} {}, {} repeats, {}, seed {}\n",
+                  terminal_text(comparison.name), comparison.planners.size(),
+                  comparison.maps.size(), is_of_fields(comparison) ? "fields" : "maps",
+                  comparison.repeats, budget_text(comparison), comparison.seed);
   for (std::size_t m = 0; m < comparison.maps.size(); ++m) {
     text += map_table(comparison, static_cast<int>(m), runs);
   }

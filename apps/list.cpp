@@ -6,6 +6,7 @@
 #include "apps/commands.h"
 #include "planner/grid_planners.h"
 #include "planner/planners.h"
+#include "planner/region_planners.h"
 #include "terrains/json_text.h"
 #include "terrains/soil.h"
 #include "terrains/terrain_source.h"
@@ -47,6 +48,12 @@ Json planners_json() {
     list.push_back({{"name", entry.name},
                     {"source", entry.source},
                     {"plans_on", "grid map"},
+                    {"parameters", parameters_json(entry.parameters)}});
+  }
+  for (const RegionPlannerEntry& entry : region_planners()) {
+    list.push_back({{"name", entry.name},
+                    {"source", entry.source},
+                    {"plans_on", "parts of a field"},
                     {"parameters", parameters_json(entry.parameters)}});
   }
   return list;

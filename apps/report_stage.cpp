@@ -70,8 +70,10 @@ std::string text_at(const Json& json, const char* object, const char* key) {
 
 std::vector<std::string> map_names(const Json& compare) {
   std::vector<std::string> names;
-  const Json& maps = compare["comparison"]["maps"];
-  for (const Json& map : maps) {
+  const Json& comparison = compare["comparison"];
+  const char* const list = comparison.contains("fields") ? "fields" : "maps";
+  if (!comparison.contains(list)) return names;
+  for (const Json& map : comparison[list]) {
     if (map.is_object() && map.contains("name") && map["name"].is_string()) {
       names.push_back(map["name"].get<std::string>());
     }
@@ -141,7 +143,7 @@ std::string comparison_report(const fs::path& folder) {
     const std::string name = plans_picture_name(map);
     const std::string title = fmt::format("Best plans on {}", map);
     const std::string alt = fmt::format(
-        "The best plan of every planner on map {}, side by side: cells, repeated cells, path", map);
+        "The best plan of every planner on {}, side by side: what is covered, in which order", map);
     add_picture(folder, {name, title, alt}, pictures, missing);
   }
   for (const std::string& picture : missing) data["missing"].push_back(picture);

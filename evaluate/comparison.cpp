@@ -1,8 +1,10 @@
 #include "evaluate/comparison.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "evaluate/parallel_runs.h"
+#include "planner/algorithms/region_exact.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -41,13 +43,29 @@ GridPlanRequest request_of(const Comparison& comparison, const ComparedRun& run,
   return request;
 }
 
-void plan_run(const Comparison& comparison, const CancelAsked& cancelled, ComparedRun& run) {
+void plan_on_map(const Comparison& comparison, const CancelAsked& cancelled, ComparedRun& run) {
   const std::string& name = comparison.planners[static_cast<std::size_t>(run.planner)].name;
-  const GridPlannerEntry& planner = find_grid_planner(name, comparison.file.string());
-  const GridPlanRequest request = request_of(comparison, run, cancelled);
+  run.plan = find_grid_planner(name, comparison.file.string())
+                 .plan(request_of(comparison, run, cancelled));
+}
+
+void plan_on_field(const Comparison& comparison, const CancelAsked& cancelled, ComparedRun& run) {
+  const ComparedRegion& region = *comparison.maps[static_cast<std::size_t>(run.map)].region;
+  const ComparedPlanner& planner = comparison.planners[static_cast<std::size_t>(run.planner)];
+  run.least_m = least_length_m(region, planner.sweeps);
+  const RegionRequest request{region_problem(region, planner.sweeps), planner.stop,
+                              planner.parameters, run.seed, cancelled};
+  run.region = find_region_planner(planner.name, comparison.file.string()).plan(request);
+}
+
+void plan_run(const Comparison& comparison, const CancelAsked& cancelled, ComparedRun& run) {
   const auto begun = std::chrono::steady_clock::now();
   try {
-    run.plan = planner.plan(request);
+    if (is_of_fields(comparison)) {
+      plan_on_field(comparison, cancelled, run);
+    } else {
+      plan_on_map(comparison, cancelled, run);
+    }
     run.state = RunState::kPlanned;
   } catch (const InputError& refused) {
     run.state = RunState::kRefused;
@@ -61,7 +79,8 @@ void plan_run(const Comparison& comparison, const CancelAsked& cancelled, Compar
 std::vector<ComparedRun> runs_to_do(const Comparison& comparison) {
   std::vector<ComparedRun> runs;
   for (std::size_t m = 0; m < comparison.maps.size(); ++m) {
-    const int free_cells = free_cell_count(comparison.maps[m].map);
+    const bool on_field = comparison.maps[m].region.has_value();
+    const int free_cells = on_field ? 0 : free_cell_count(comparison.maps[m].map);
     for (std::size_t p = 0; p < comparison.planners.size(); ++p) {
       for (int repeat = 0; repeat < comparison.repeats; ++repeat) {
         ComparedRun run;
@@ -92,12 +111,60 @@ std::string_view run_state_name(RunState state) {
   return "not run";
 }
 
+bool is_of_fields(const Comparison& comparison) {
+  return !comparison.maps.empty() && comparison.maps.front().region.has_value();
+}
+
+RunSearch search_of(const ComparedRun& run) {
+  const RegionPlan& region = run.region;
+  if (!region.visits.empty()) {
+    return {region.length_m, region.convergence, region.iterations, region.evaluations,
+            region.stopped_by};
+  }
+  const GridPlan& plan = run.plan;
+  return {plan.cost, plan.convergence, plan.iterations, plan.evaluations, plan.stopped_by};
+}
+
 std::uint64_t seed_of_run(std::uint64_t seed, std::string_view map, std::string_view label,
                           int repeat) {
   // Neither name can hold the byte that parts them.
   std::uint64_t hash = hashed(mixed(seed), map);
   hash = hashed(hashed(hash, std::string_view("\0", 1)), label);
   return mixed(mixed(hash) + static_cast<std::uint64_t>(repeat));
+}
+
+void prove_least_lengths(Comparison& comparison, const ParallelOptions& options) {
+  struct Proof {
+    const ComparedRegion& region;
+    PartSweeps sweeps;
+    std::optional<double>& least_m;
+  };
+  std::vector<Proof> proofs;
+  for (ComparedMap& map : comparison.maps) {
+    if (!map.region) continue;
+    for (const ComparedPlanner& planner : comparison.planners) {
+      ComparedRegion& region = *map.region;
+      std::optional<double>& least_m =
+          planner.sweeps == PartSweeps::kOwn ? region.least_own_m : region.least_any_m;
+      const bool known = std::ranges::any_of(
+          proofs, [&](const Proof& proof) { return &proof.least_m == &least_m; });
+      if (!known) proofs.push_back({region, planner.sweeps, least_m});
+    }
+  }
+  ParallelOptions quiet = options;
+  quiet.progress = nullptr;
+  run_in_parallel(proofs.size(), quiet, [&](std::size_t i, const CancelAsked& cancelled) {
+    RegionRequest request;
+    request.problem = region_problem(proofs[i].region, proofs[i].sweeps);
+    request.cancelled = cancelled;
+    if (exact_plan_bytes(request.problem) > kMostProofBytes) return true;
+    try {
+      proofs[i].least_m = plan_region_exact(request).length_m;
+    } catch (const Cancelled&) {
+      return false;
+    }
+    return true;
+  });
 }
 
 std::vector<ComparedRun> run_comparison(const Comparison& comparison,
@@ -124,13 +191,13 @@ std::vector<const ComparedRun*> runs_of(const std::vector<ComparedRun>& runs, in
 
 const ComparedRun* best_run(const std::vector<const ComparedRun*>& runs) {
   const ComparedRun* best = nullptr;
-  const auto better = [](const GridPlan& one, const GridPlan& other) {
-    if ((one.jumps == 0) != (other.jumps == 0)) return one.jumps == 0;
-    return one.cost < other.cost;
+  const auto better = [](const ComparedRun& one, const ComparedRun& other) {
+    if ((one.plan.jumps == 0) != (other.plan.jumps == 0)) return one.plan.jumps == 0;
+    return search_of(one).cost < search_of(other).cost;
   };
   for (const ComparedRun* run : runs) {
     if (run->state != RunState::kPlanned) continue;
-    if (best == nullptr || better(run->plan, best->plan)) best = run;
+    if (best == nullptr || better(*run, *best)) best = run;
   }
   return best;
 }

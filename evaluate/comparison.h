@@ -1,4 +1,4 @@
-// A comparison of planners: every planner on every map, several times.
+// A comparison of planners: every planner on every map or field, several times.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "evaluate/compared_region.h"
 #include "evaluate/metrics.h"
 #include "evaluate/parallel_runs.h"
 #include "evaluate/scenario.h"
@@ -19,8 +20,10 @@
 
 namespace headland {
 
+// A grid map, or a field for planners of the order of its parts.
 struct ComparedMap {
   std::string name;
+  std::optional<ComparedRegion> region;  // what follows is of grid maps alone
   GridMap map;
   std::optional<GridCell> start;  // none: the planner chooses
   std::optional<GridCell> end;
@@ -30,9 +33,10 @@ struct ComparedMap {
 
 struct ComparedPlanner {
   std::string label;  // under which it appears; the same planner may have several
-  std::string name;   // of the table of grid planners
+  std::string name;   // of the table of grid planners, or of that of region planners
   Parameters parameters;
   SearchStop stop;
+  PartSweeps sweeps = PartSweeps::kOwn;  // of fields: the directions it may choose from
 };
 
 // The same budget for all instead of each planner's own end.
@@ -52,7 +56,7 @@ struct ComparisonTests {
 struct Comparison {
   std::filesystem::path file;  // it was read from
   std::string name;
-  std::vector<ComparedMap> maps;
+  std::vector<ComparedMap> maps;  // all of them grid maps, or all of them fields
   std::vector<ComparedPlanner> planners;
   int repeats = 10;
   std::uint64_t seed = 1;
@@ -86,17 +90,35 @@ struct ComparedRun {
   int repeat = 0;
   std::uint64_t seed = 0;
   RunState state = RunState::kNotRun;
-  std::string refusal;  // why, in one line
-  int free_cells = 0;   // of the map
-  GridPlan plan;        // of kPlanned
+  std::string refusal;            // why, in one line
+  int free_cells = 0;             // of the map
+  GridPlan plan;                  // of kPlanned, on a grid map
+  RegionPlan region;              // of kPlanned, on a field
+  std::optional<double> least_m;  // no plan of the field is shorter, where that is proven
   double seconds = 0.0;
   std::optional<DrivenPlan> driven;  // of the best of its planner and map, when asked for
 };
+
+bool is_of_fields(const Comparison& comparison);
+
+// What is known of the search for either kind of plan.
+struct RunSearch {
+  double cost = 0.0;  // length [m] on fields
+  const std::vector<ConvergencePoint>& convergence;
+  int iterations = 0;
+  std::int64_t evaluations = 0;
+  StopReason stopped_by = StopReason::kIterations;
+};
+RunSearch search_of(const ComparedRun& run);
 
 // Seed of one run: it depends on what it is called with alone, so that other maps, planners and
 // more repeats leave it as it is.
 std::uint64_t seed_of_run(std::uint64_t seed, std::string_view map, std::string_view label,
                           int repeat);
+
+// Looks for the shortest plan of every field, for the directions of sweep that its planners choose
+// from, by region_exact where that takes at most kMostProofBytes. An early end leaves it at that.
+void prove_least_lengths(Comparison& comparison, const ParallelOptions& options);
 
 // Every run in the order map, planner, repeat. All but `seconds` is the same with any number of
 // jobs, unless the budget is one of seconds. Runs are begun repeat by repeat, so that what an early

@@ -11,6 +11,9 @@
 
 namespace headland {
 
+// Of what a figure is told.
+enum class FigureOf { kAnyPlan, kGridPlan, kRegionPlan, kDrive };
+
 // One row of a literal table, which the tables, the summary and the tests share.
 struct ComparedFigure {
   std::string_view key;      // in files, with its unit
@@ -18,15 +21,18 @@ struct ComparedFigure {
   int decimals = 0;
   double scale = 1.0;  // of the summary's number: 100 for percent
   bool more_is_better = false;
-  bool driven = false;  // of the drive in physics, else of the plan
-  double (*value)(const ComparedRun&);
+  FigureOf of = FigureOf::kAnyPlan;
+  double (*value)(const ComparedRun&);  // NaN where it is not known
 };
 
-// Whether the run has this figure: it was planned and, for figures of the drive, driven.
+// Whether the run has this figure: it was planned and, for figures of the drive, driven, and the
+// figure is known.
 bool has_figure(const ComparedFigure& figure, const ComparedRun& run);
 
-// All of them; without those of drives when there is none.
-std::span<const ComparedFigure> compared_figures(bool with_drives);
+std::span<const ComparedFigure> every_figure();
+
+// Those of a comparison: of maps or of fields, with those of drives when there are any.
+std::vector<ComparedFigure> compared_figures(const Comparison& comparison);
 
 // Throws InputError(source, where) with the nearest name.
 const ComparedFigure& find_figure(std::string_view key, const std::string& source,
@@ -37,6 +43,7 @@ struct Spread {
   int runs = 0;
   double mean = 0.0;
   double deviation = 0.0;  // of the sample (n - 1); 0 for one run
+  double median = 0.0;     // of an even number the mean of the middle two
   double best = 0.0;       // by more_is_better
   double worst = 0.0;
 };

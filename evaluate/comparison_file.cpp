@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "evaluate/comparison_figures.h"
+#include "evaluate/comparison_region_json.h"
 
 namespace headland {
 namespace {
@@ -22,6 +23,11 @@ std::string csv_text(const std::string& text) {
 
 const std::string& map_name(const Comparison& comparison, int map) {
   return comparison.maps[static_cast<std::size_t>(map)].name;
+}
+
+// How what planners are compared on is called in the files.
+const char* map_word(const Comparison& comparison) {
+  return is_of_fields(comparison) ? "field" : "map";
 }
 
 const ComparedPlanner& planner_of(const Comparison& comparison, int planner) {
@@ -103,8 +109,13 @@ Json asked_json(const Comparison& comparison) {
   json["equal_budget"] = comparison.budget == Budget::kNone          ? Json()
                          : comparison.budget == Budget::kEvaluations ? Json("evaluations")
                                                                      : Json("seconds");
-  json["cost"] = cost_json(comparison.cost, comparison.cost_file);
+  const bool of_fields = is_of_fields(comparison);
+  if (!of_fields) json["cost"] = cost_json(comparison.cost, comparison.cost_file);
   for (const ComparedMap& map : comparison.maps) {
+    if (of_fields) {
+      json["fields"].push_back(region_json(map));
+      continue;
+    }
     json["maps"].push_back({{"name", map.name},
                             {"columns", map.map.columns},
                             {"rows", map.map.rows},
@@ -128,9 +139,13 @@ Json asked_json(const Comparison& comparison) {
   for (const ComparedPlanner& planner : comparison.planners) {
     json["planners"].push_back({{"label", planner.label},
                                 {"name", planner.name},
-                                {"source", find_grid_planner(planner.name, "").source},
+                                {"source", of_fields ? find_region_planner(planner.name, "").source
+                                                     : find_grid_planner(planner.name, "").source},
                                 {"parameters", parameters_json(planner.parameters)},
                                 {"stop", stop_json(planner.stop)}});
+    if (of_fields) {
+      json["planners"].back()["sweeps"] = planner.sweeps == PartSweeps::kOwn ? "own" : "any";
+    }
   }
   return json;
 }
@@ -138,7 +153,7 @@ Json asked_json(const Comparison& comparison) {
 Json result_json(const Comparison& comparison, int map, int planner,
                  const std::vector<const ComparedRun*>& runs) {
   const RunCounts counts = run_counts(runs);
-  Json json = {{"map", map_name(comparison, map)},
+  Json json = {{map_word(comparison), map_name(comparison, map)},
                {"planner", planner_of(comparison, planner).label},
                {"runs",
                 {{"asked", counts.asked},
@@ -147,16 +162,21 @@ Json result_json(const Comparison& comparison, int map, int planner,
                  {"not_run", counts.not_run},
                  {"with_jumps", counts.with_jumps}}}};
   if (counts.refused > 0) json["refusal"] = counts.refusal;
-  for (const ComparedFigure& figure : compared_figures(comparison.drive.has_value())) {
+  for (const ComparedFigure& figure : compared_figures(comparison)) {
     const auto spread = spread_of(figure, runs);
     if (!spread) continue;
     json["figures"][std::string(figure.key)] = {{"mean", spread->mean},
                                                 {"standard_deviation", spread->deviation},
+                                                {"median", spread->median},
                                                 {"best", spread->best},
                                                 {"worst", spread->worst}};
   }
   if (const ComparedRun* best = best_run(runs)) {
     json["best"]["repeat"] = best->repeat;
+    if (is_of_fields(comparison)) {
+      json["best"]["visits"] = visits_json(*comparison.maps[static_cast<std::size_t>(map)].region,
+                                           planner_of(comparison, planner).sweeps, best->region);
+    }
     for (const GridCell& cell : best->plan.cells) json["best"]["path"].push_back(cell_json(cell));
   }
   return json;
@@ -170,20 +190,20 @@ Json drive_json(const DrivenPlan& driven) {
 }
 
 Json run_json(const Comparison& comparison, const ComparedRun& run) {
-  Json json = {{"map", map_name(comparison, run.map)},
+  Json json = {{map_word(comparison), map_name(comparison, run.map)},
                {"planner", planner_of(comparison, run.planner).label},
                {"repeat", run.repeat},
                {"seed", run.seed},
                {"state", run_state_name(run.state)}};
   if (run.state == RunState::kRefused) json["refusal"] = run.refusal;
   if (run.state != RunState::kPlanned) return json;
-  for (const ComparedFigure& figure : compared_figures(comparison.drive.has_value())) {
+  for (const ComparedFigure& figure : compared_figures(comparison)) {
     if (has_figure(figure, run)) json["figures"][std::string(figure.key)] = figure.value(run);
   }
   if (run.driven) json["drive"] = drive_json(*run.driven);
-  json["stopped_by"] = stop_reason_name(run.plan.stopped_by);
+  json["stopped_by"] = stop_reason_name(search_of(run).stopped_by);
   json["convergence"] = Json::array();
-  for (const ConvergencePoint& point : run.plan.convergence) {
+  for (const ConvergencePoint& point : search_of(run).convergence) {
     json["convergence"].push_back({point.iteration, point.evaluations, point.cost});
   }
   return json;
@@ -195,7 +215,7 @@ Json p_json(double p, bool too_few) { return too_few ? Json() : Json(p); }
 Json ranks_json(const Comparison& comparison, const ComparisonRanks& ranks) {
   Json json;
   json["figure"] = comparison.tests.figure;
-  json["block"] = comparison.tests.blocks == BlockKind::kMaps ? "map" : "run";
+  json["block"] = comparison.tests.blocks == BlockKind::kMaps ? map_word(comparison) : "run";
   json["alpha"] = comparison.tests.alpha;
   json["blocks"] = ranks.blocks.size();
   json["blocks_left_out"] = ranks.blocks_left_out;
@@ -233,20 +253,21 @@ Json ranks_json(const Comparison& comparison, const ComparisonRanks& ranks) {
 
 std::string comparison_runs_csv(const Comparison& comparison,
                                 const std::vector<ComparedRun>& runs) {
-  std::string text = "map,planner,repeat,seed,state,stopped_by,refusal";
+  std::string text =
+      fmt::format("{},planner,repeat,seed,state,stopped_by,refusal", map_word(comparison));
   if (comparison.drive) text += ",outcome,verdict,drive_refusal";
-  for (const ComparedFigure& figure : compared_figures(comparison.drive.has_value()))
+  for (const ComparedFigure& figure : compared_figures(comparison))
     text += fmt::format(",{}", figure.key);
   text += "\n";
   for (const ComparedRun& run : runs) {
     const bool planned = run.state == RunState::kPlanned;
-    text +=
-        fmt::format("{},{},{},{},{},{},{}", csv_text(map_name(comparison, run.map)),
-                    csv_text(planner_of(comparison, run.planner).label), run.repeat, run.seed,
-                    run_state_name(run.state), planned ? stop_reason_name(run.plan.stopped_by) : "",
-                    csv_text(run.refusal));
+    text += fmt::format("{},{},{},{},{},{},{}", csv_text(map_name(comparison, run.map)),
+                        csv_text(planner_of(comparison, run.planner).label), run.repeat, run.seed,
+                        run_state_name(run.state),
+                        planned ? stop_reason_name(search_of(run).stopped_by) : "",
+                        csv_text(run.refusal));
     if (comparison.drive) text += drive_columns(run);
-    for (const ComparedFigure& figure : compared_figures(comparison.drive.has_value())) {
+    for (const ComparedFigure& figure : compared_figures(comparison)) {
       text += has_figure(figure, run) ? fmt::format(",{}", figure.value(run)) : ",";
     }
     text += "\n";
@@ -256,9 +277,10 @@ std::string comparison_runs_csv(const Comparison& comparison,
 
 std::string comparison_table_csv(const Comparison& comparison,
                                  const std::vector<ComparedRun>& runs) {
-  std::string text = "map,planner,asked,planned,refused,not_run,with_jumps";
-  for (const ComparedFigure& figure : compared_figures(comparison.drive.has_value())) {
-    text += fmt::format(",{0}_mean,{0}_sd,{0}_best,{0}_worst", figure.key);
+  std::string text =
+      fmt::format("{},planner,asked,planned,refused,not_run,with_jumps", map_word(comparison));
+  for (const ComparedFigure& figure : compared_figures(comparison)) {
+    text += fmt::format(",{0}_mean,{0}_sd,{0}_median,{0}_best,{0}_worst", figure.key);
   }
   text += "\n";
   each_pair(comparison, runs, [&](int map, int planner, const auto& own) {
@@ -266,11 +288,11 @@ std::string comparison_table_csv(const Comparison& comparison,
     text += fmt::format("{},{},{},{},{},{},{}", csv_text(map_name(comparison, map)),
                         csv_text(planner_of(comparison, planner).label), counts.asked,
                         counts.planned, counts.refused, counts.not_run, counts.with_jumps);
-    for (const ComparedFigure& figure : compared_figures(comparison.drive.has_value())) {
+    for (const ComparedFigure& figure : compared_figures(comparison)) {
       const auto spread = spread_of(figure, own);
-      text += spread ? fmt::format(",{},{},{},{}", spread->mean, spread->deviation, spread->best,
-                                   spread->worst)
-                     : ",,,,";
+      text += spread ? fmt::format(",{},{},{},{},{}", spread->mean, spread->deviation,
+                                   spread->median, spread->best, spread->worst)
+                     : ",,,,,";
     }
     text += "\n";
   });

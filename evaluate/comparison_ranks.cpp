@@ -112,12 +112,15 @@ int blocks_needed(std::size_t pairs, double alpha) {
 
 void note_what_is_missing(const Comparison& comparison, ComparisonRanks& ranks) {
   const bool maps = comparison.tests.blocks == BlockKind::kMaps;
-  const char* what = maps ? "maps" : "runs";
+  const char* const places = is_of_fields(comparison) ? "fields" : "maps";
+  const char* what = maps ? places : "runs";
   const std::size_t have = ranks.blocks.size();
   const std::string help =
-      maps ? "; more maps help (a generator with count makes them), or tests.blocks: runs, whose "
-             "word holds for these maps alone"
-           : "; more maps or repeats help";
+      maps ? fmt::format(
+                 "; more {0} help (a generator with count makes them), or tests.blocks: "
+                 "runs, whose word holds for these {0} alone",
+                 places)
+           : fmt::format("; more {} or repeats help", places);
   if (!ranks.friedman) {
     ranks.notes.push_back(
         fmt::format("Friedman: {} {} are too few for a p value, at least {} are "
@@ -142,7 +145,10 @@ void note_what_is_missing(const Comparison& comparison, ComparisonRanks& ranks) 
   if (ranks.failures > 0) {
     ranks.notes.push_back(fmt::format(
         "{} runs failed (refused, or plans with jumps, which nothing can drive) and rank last{}",
-        ranks.failures, maps ? ", with the whole map" : ""));
+        ranks.failures,
+        !maps                      ? ""
+        : is_of_fields(comparison) ? ", with the whole field"
+                                   : ", with the whole map"));
   }
 }
 

@@ -4,17 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <cmath>
-#include <limits>
-#include <set>
 #include <utility>
 
+#include "evaluate/comparison_fields.h"
 #include "evaluate/comparison_figures.h"
 #include "evaluate/comparison_maps.h"
+#include "evaluate/comparison_planners.h"
 #include "evaluate/planner_cost.h"
 #include "evaluate/scenario_grid.h"
-#include "evaluate/yaml_parameters.h"
 #include "evaluate/yaml_section.h"
 #include "terrains/input_error.h"
 #include "vehicle_models/vehicle_loader.h"
@@ -24,18 +21,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kTopKeys = {"name", "seed",   "repeats",  "start",
-                                           "end",  "maps",   "planners", "cost",
-                                           "stop", "budget", "tests",    "drive"};
-const std::vector<std::string> kPlannerKeys = {"name", "label", "stop"};
+const std::vector<std::string> kTopKeys = {"name", "seed",   "repeats", "start",    "end",
+                                           "maps", "fields", "parts",   "planners", "cost",
+                                           "stop", "budget", "tests",   "drive"};
 const std::vector<std::string> kCostKeys = {"file", "objective", "repeat",
                                             "turn", "u_turn",    "tractor"};
-const std::vector<std::string> kStopKeys = {"iterations", "evaluations", "seconds", "stagnation"};
-const std::vector<std::string> kBudgetKeys = {"evaluations", "seconds"};
 const std::vector<std::string> kTestKeys = {"figure", "blocks", "control", "alpha"};
-
-constexpr double kMostSeconds = 86400.0;
-constexpr int kNoLimit = std::numeric_limits<int>::max();
 
 constexpr std::array kTractorKeys{TractorKey{"mass_kg", &TractorEnergy::mass_kg},
                                   TractorKey{"friction", &TractorEnergy::friction},
@@ -52,115 +43,6 @@ std::vector<std::string> tractor_keys() {
   std::transform(kTractorKeys.begin(), kTractorKeys.end(), keys.begin(),
                  [](const TractorKey& key) { return std::string(key.key); });
   return keys;
-}
-
-// One of the words, as its place in the list; the first when the key is absent.
-std::size_t read_choice(const YamlSection& section, std::string_view key,
-                        const std::vector<std::string>& words) {
-  const auto given = read_word(section, key);
-  if (!given) return 0;
-  const auto found = std::find(words.begin(), words.end(), *given);
-  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  throw InputError(section.source, place_of(section, key), *given,
-                   fmt::format("unknown word; did you mean '{}'? (known: {})",
-                               nearest_name(*given, words), fmt::join(words, ", ")));
-}
-
-SearchStop read_budget(const YamlSection& section, Budget& budget) {
-  refuse_unknown_keys(section, kBudgetKeys);
-  SearchStop stop;
-  stop.iterations = kNoLimit;
-  const auto evaluations = read_count(section, "evaluations", 1, kNoLimit);
-  const auto seconds = read_number(section, "seconds", {0.001, kMostSeconds});
-  if (static_cast<bool>(evaluations) == static_cast<bool>(seconds)) {
-    throw InputError(section.source, place_of_itself(section), "",
-                     "either budget.evaluations or budget.seconds is needed, and not both");
-  }
-  budget = evaluations ? Budget::kEvaluations : Budget::kSeconds;
-  stop.evaluations = evaluations.value_or(0);
-  stop.seconds = seconds.value_or(0.0);
-  return stop;
-}
-
-ComparedPlanner read_compared_planner(const YamlSection& section, const SearchStop& stop,
-                                      Budget budget) {
-  const auto name = read_word(section, "name");
-  if (!name) {
-    throw InputError(section.source, place_of(section, "name"), "",
-                     "the key is missing: a grid planner (headland list planners)");
-  }
-  const std::string place = place_of(section, "name");
-  std::vector<std::string> names;
-  for (const GridPlannerEntry& entry : grid_planners()) names.emplace_back(entry.name);
-  if (std::find(names.begin(), names.end(), *name) == names.end()) {
-    throw InputError(section.source, place, *name,
-                     fmt::format("unknown planner; did you mean '{}'? (known: {})",
-                                 nearest_name(*name, names), fmt::join(names, ", ")));
-  }
-  const GridPlannerEntry& entry = find_grid_planner(*name, section.source);
-  std::vector<std::string> known = kPlannerKeys;
-  const std::vector<std::string> own = parameter_names(entry.parameters);
-  known.insert(known.end(), own.begin(), own.end());
-  refuse_unknown_keys(section, known);
-  ComparedPlanner planner;
-  planner.name = *name;
-  planner.label = read_word(section, "label").value_or(*name);
-  planner.parameters = read_parameters(section, entry.parameters);
-  planner.stop = stop;
-  if (const auto own_stop = read_section(section, "stop")) {
-    if (budget != Budget::kNone) {
-      throw InputError(section.source, place_of(section, "stop"), "",
-                       "not with budget, which is the same for all");
-    }
-    planner.stop = read_stop(*own_stop);
-  }
-  return planner;
-}
-
-// Names are told apart where they are read and in the files that carry them.
-void refuse_repeated(const YamlSection& top, std::string_view list, const std::string& key,
-                     const std::vector<std::string>& names) {
-  std::set<std::string> seen;
-  for (const std::string& name : names) {
-    constexpr std::size_t kLongest = 80;
-    const bool plain = std::ranges::none_of(
-        name, [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; });
-    if (name.size() > kLongest || !plain) {
-      throw InputError(top.source, place_of(top, list), name,
-                       fmt::format("a {} has at most {} characters, all printable", key, kLongest));
-    }
-    if (name_in_files(name).find_first_not_of("._") == std::string::npos) {
-      throw InputError(top.source, place_of(top, list), name,
-                       fmt::format("a {} with a letter or a digit is needed", key));
-    }
-    if (seen.insert(name_in_files(name)).second) continue;
-    throw InputError(top.source, place_of(top, list), name,
-                     fmt::format("the {} stands twice; in files, what is not a letter, digit, '-' "
-                                 "or '.' counts as '_'",
-                                 key));
-  }
-}
-
-void read_planners(const YamlSection& top, Comparison& comparison) {
-  SearchStop stop;
-  if (const auto section = read_section(top, "stop")) stop = read_stop(*section);
-  if (const auto section = read_section(top, "budget")) {
-    if (read_section(top, "stop")) {
-      throw InputError(top.source, place_of(top, "budget"), "", "either budget or stop, not both");
-    }
-    stop = read_budget(*section, comparison.budget);
-  }
-  std::vector<std::string> labels;
-  for (const YamlSection& section :
-       read_sections(top, "planners").value_or(std::vector<YamlSection>{})) {
-    comparison.planners.push_back(read_compared_planner(section, stop, comparison.budget));
-    labels.push_back(comparison.planners.back().label);
-  }
-  if (labels.empty()) {
-    throw InputError(top.source, place_of(top, "planners"), "",
-                     "a list with at least one planner is needed");
-  }
-  refuse_repeated(top, "planners", "label", labels);
 }
 
 void read_maps(const YamlSection& top, Comparison& comparison) {
@@ -181,15 +63,39 @@ void read_maps(const YamlSection& top, Comparison& comparison) {
   refuse_repeated(top, "maps", "name", names);
 }
 
+void read_fields(const YamlSection& top, Comparison& comparison) {
+  const FieldDefaults defaults{read_place(top, "start"), read_place(top, "end"),
+                               read_parts_options(top, {})};
+  std::vector<std::string> names;
+  for (const YamlSection& section :
+       read_sections(top, "fields").value_or(std::vector<YamlSection>{})) {
+    for (ComparedMap& field : read_compared_fields(section, defaults, comparison.seed)) {
+      names.push_back(field.name);
+      comparison.maps.push_back(std::move(field));
+    }
+  }
+  if (names.empty()) {
+    throw InputError(top.source, place_of(top, "fields"), "",
+                     "a list with at least one field is needed");
+  }
+  refuse_repeated(top, "fields", "name", names);
+}
+
 void read_tests(const YamlSection& top, Comparison& comparison) {
   const auto section = read_section(top, "tests");
   if (!section) return;
   refuse_unknown_keys(*section, kTestKeys);
   ComparisonTests& tests = comparison.tests;
   tests.figure = read_word(*section, "figure").value_or(tests.figure);
-  if (find_figure(tests.figure, top.source, place_of(*section, "figure")).driven) {
+  const FigureOf of = find_figure(tests.figure, top.source, place_of(*section, "figure")).of;
+  if (of == FigureOf::kDrive) {
     throw InputError(top.source, place_of(*section, "figure"), tests.figure,
                      "a figure of plans; only the best ones are driven");
+  }
+  if (of == (is_of_fields(comparison) ? FigureOf::kGridPlan : FigureOf::kRegionPlan)) {
+    throw InputError(top.source, place_of(*section, "figure"), tests.figure,
+                     is_of_fields(comparison) ? "no figure of plans on fields"
+                                              : "no figure of plans on grid maps");
   }
   tests.blocks = std::array{BlockKind::kMaps,
                             BlockKind::kRuns}[read_choice(*section, "blocks", {"maps", "runs"})];
@@ -207,19 +113,6 @@ void read_tests(const YamlSection& top, Comparison& comparison) {
 }  // namespace
 
 std::span<const TractorKey> tractor_energy_keys() { return kTractorKeys; }
-
-SearchStop read_stop(const YamlSection& section) {
-  refuse_unknown_keys(section, kStopKeys);
-  SearchStop stop;
-  const auto count = [&](std::string_view key) { return read_count(section, key, 1, kNoLimit); };
-  const auto iterations = count("iterations");
-  stop.evaluations = count("evaluations").value_or(0);
-  stop.seconds = read_number(section, "seconds", {0.001, kMostSeconds}).value_or(0.0);
-  stop.stagnation = count("stagnation").value_or(0);
-  const bool otherwise = stop.evaluations > 0 || stop.seconds > 0.0;
-  stop.iterations = iterations.value_or(otherwise ? kNoLimit : stop.iterations);
-  return stop;
-}
 
 GridCost read_grid_cost(const YamlSection& top) {
   GridCost cost;
@@ -300,9 +193,17 @@ Comparison read_comparison(const fs::path& file, std::optional<std::uint64_t> se
   }
   const fs::path costs = read_cost_file(top, fs::absolute(file).parent_path());
   if (!costs.empty()) take_measured_costs(costs, comparison);
-  read_planners(top, comparison);
+  read_compared_planners(top, comparison);
+  const YAML::Node node = top.node;
+  if (node["fields"].IsDefined()) {
+    read_fields(top, comparison);
+  } else {
+    if (node["parts"].IsDefined()) {
+      throw InputError(top.source, place_of(top, "parts"), "", "only with fields");
+    }
+    read_maps(top, comparison);
+  }
   read_tests(top, comparison);
-  read_maps(top, comparison);
   return comparison;
 }
 
@@ -312,14 +213,13 @@ std::vector<std::string> comparison_key_paths() {
     for (const std::string& key : keys) paths.push_back(prefix + key);
   };
   add("", kTopKeys);
-  add("planners.", kPlannerKeys);
   add("cost.", kCostKeys);
   add("cost.tractor.", tractor_keys());
-  add("stop.", kStopKeys);
-  add("budget.", kBudgetKeys);
   add("tests.", kTestKeys);
-  const std::vector<std::string> maps = compared_map_key_paths();
-  paths.insert(paths.end(), maps.begin(), maps.end());
+  for (const auto& more :
+       {compared_planner_key_paths(), compared_map_key_paths(), compared_field_key_paths()}) {
+    paths.insert(paths.end(), more.begin(), more.end());
+  }
   return paths;
 }
 

@@ -14,12 +14,12 @@
 
 namespace headland {
 
-// Maps loaded or made, parameters completed. Throws InputError with file, line and key path:
-// malformed YAML, an unknown key (with the nearest known one), a key given twice, a missing one, a
-// value out of its range, an unknown planner, parameter, figure or label, names that stand twice or
-// would give the same file, a map that cannot be read or made or whose free cells are not
-// connected, a start or end that is not free, and what check_grid_cost refuses.
-// `seed` replaces the file's.
+// Maps or fields loaded or made, parameters completed. Throws InputError with file, line and key
+// path: malformed YAML, an unknown key (with the nearest known one), a key given twice, a missing
+// one, a value out of its range, an unknown planner, parameter, figure or label, names that stand
+// twice or would give the same file, a map or field that cannot be read or made, a map whose free
+// cells are not connected, a start or end that is not free, maps and fields in one file, keys of
+// the one with the other, and what check_grid_cost refuses. `seed` replaces the file's.
 Comparison read_comparison(const std::filesystem::path& file,
                            std::optional<std::uint64_t> seed = std::nullopt);
 
@@ -34,8 +34,7 @@ struct TractorKey {
 };
 std::span<const TractorKey> tractor_energy_keys();
 
-// The keys of a section `stop`, and of the section `cost` of another one. Throw as read_comparison.
-SearchStop read_stop(const YamlSection& section);
+// The keys of the section `cost` of another one. Throws as read_comparison.
 GridCost read_grid_cost(const YamlSection& top);
 
 // Every key path, sections included, but for the parameters of planners.

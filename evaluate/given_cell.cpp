@@ -33,10 +33,20 @@ std::string given_cell_text(const GivenCell& given) {
   if (const auto* cell = std::get_if<GridCell>(&given)) {
     return fmt::format("[{}, {}]", cell->column, cell->row);
   }
-  const MapCorner corner = std::get<MapCorner>(given);
+  return std::string(corner_name(std::get<MapCorner>(given)));
+}
+
+std::optional<MapCorner> corner_named(std::string_view name) {
+  for (const auto& [known, corner] : kCorners) {
+    if (known == name) return corner;
+  }
+  return std::nullopt;
+}
+
+std::string_view corner_name(MapCorner corner) {
   const auto* found = std::find_if(kCorners.begin(), kCorners.end(),
                                    [&](const auto& named) { return named.second == corner; });
-  return std::string(found->first);
+  return found->first;
 }
 
 std::optional<GivenCell> read_corner(const YamlSection& section, std::string_view key) {
@@ -57,9 +67,7 @@ std::optional<GivenCell> read_corner(const YamlSection& section, std::string_vie
   }
   const std::string word = read_word(section, key, kAllowed).value();
   if (word == "free") return FreeChoice{};
-  for (const auto& [name, corner] : kCorners) {
-    if (name == word) return corner;
-  }
+  if (const auto corner = corner_named(word)) return *corner;
   throw InputError(section.source, place_of(section, key), word, kAllowed);
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "evaluate/comparison_planners.h"
 #include "evaluate/comparison_reader.h"
 #include "terrains/grid_field.h"
 #include "terrains/grid_map_from_field.h"

@@ -100,7 +100,8 @@ double share_over(const PlanSearch& search) {
 bool note_cost(PlanSearch& search, double cost) {
   if (!(cost < search.best - kNoChange)) return false;
   search.best = cost;
-  const ConvergencePoint point{search.iteration, search.evaluations, cost};
+  const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - search.begun;
+  const ConvergencePoint point{search.iteration, search.evaluations, cost, gone.count()};
   // One point an iteration: what it ended with.
   if (!search.convergence.empty() && search.convergence.back().iteration == point.iteration) {
     search.convergence.back() = point;

@@ -39,6 +39,7 @@ struct ConvergencePoint {
   int iteration = 0;  // 0: what was begun with
   std::int64_t evaluations = 0;
   double cost = 0.0;
+  double seconds = 0.0;  // by the clock, since the search began
 };
 
 struct PlanSearch {

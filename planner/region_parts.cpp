@@ -11,8 +11,8 @@
 
 #include "planner/decomposition.h"
 #include "planner/indexed.h"
+#include "planner/part_sweep.h"
 #include "planner/segment.h"
-#include "planner/sweep.h"
 
 namespace headland {
 namespace {

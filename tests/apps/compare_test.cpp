@@ -50,6 +50,23 @@ TEST_F(CompareTest, TellsTablesRanksAndTests) {
   EXPECT_EQ(json["results"][2]["best"]["path"][0], nlohmann::json({0, 2}));
 }
 
+TEST_F(CompareTest, ComparesOnFieldsToo) {
+  write("fields.yaml",
+        "name: tiny fields\nrepeats: 2\nparts: {width_m: 40}\n"
+        "fields: [{name: made, count: 2, generator: {parts: 4}}]\nstop: {iterations: 5}\n"
+        "planners:\n  - {name: region_iga, label: IGA}\n  - {name: region_exact, label: exact}\n");
+  const CommandResult result = headland("compare fields.yaml -o DIR");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, StartsWith("tiny fields: 2 planners on 2 fields, 2 repeats"));
+  EXPECT_THAT(result.out, HasSubstr("\nmade_1: 30.00 ha in 4 parts (convex), swaths 40 m wide"));
+  EXPECT_THAT(result.out, HasSubstr("\n  least possible, each part along its own edge: "));
+  EXPECT_THAT(result.out, HasSubstr("median gap %"));
+  for (const char* file : {"compare.json", "runs.csv", "table.csv", "plans_made_1.png",
+                           "plan_made_2_IGA.png", "convergence_made_1.svg"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "DIR" / file)) << file;
+  }
+}
+
 TEST_F(CompareTest, JsonIsTheFileAndNothingElse) {
   write("compare.yaml",
         "repeats: 1\nmaps: [{file: drawn.txt}]\n"

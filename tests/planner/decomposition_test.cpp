@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/part_sweep.h"
 #include "planner/segment.h"
-#include "planner/sweep.h"
 #include "tests/planner/field_shapes.h"
 #include "tests/planner/random_ground.h"
 

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "planner/part_sweep.h"
 #include "planner/region_generator.h"
-#include "planner/sweep.h"
 #include "terrains/field_source.h"
 #include "tests/planner/field_shapes.h"
 #include "tests/planner/random_ground.h"

@@ -26,7 +26,7 @@ using testing::HasSubstr;
 
 constexpr double kLengthRounding_m = 1e-6;  // of sums of lengths of some 10 km in another order
 
-RegionProblem made_up_problem(int parts, std::uint64_t seed, Sweeps sweeps = Sweeps::kOwn) {
+RegionProblem made_up_problem(int parts, std::uint64_t seed, PartSweeps sweeps = PartSweeps::kOwn) {
   constexpr double kWidth_m = 40.0;
   const Field field = made_up_region({parts, -1, 3e5, seed}, "test");
   return region_problem(worked_parts(region_parts(from_field(field), {}), kWidth_m, sweeps), {},
@@ -88,7 +88,7 @@ class EveryRegionPlanner : public testing::TestWithParam<std::size_t> {
     scenes[1].start_W = scenes[2].start_W = Eigen::Vector2d(-300, -300);
     scenes[2].end_W = scenes[3].end_W = Eigen::Vector2d(400, 500);
     scenes.push_back(made_up_problem(1, 1));
-    scenes.push_back(made_up_problem(4, 2, Sweeps::kAny));
+    scenes.push_back(made_up_problem(4, 2, PartSweeps::kAny));
     return scenes;
   }
   RegionRequest request(const RegionProblem& problem) const {
@@ -208,7 +208,7 @@ TEST(RegionExact, FindsWhatEnumerationFindsOnAnyProblem) {
 
 TEST(RegionExact, IsNeverBeatenAndLocalSearchReachesIt) {
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-    for (const Sweeps sweeps : {Sweeps::kOwn, Sweeps::kAny}) {
+    for (const PartSweeps sweeps : {PartSweeps::kOwn, PartSweeps::kAny}) {
       const RegionProblem problem = made_up_problem(8, seed, sweeps);
       const double optimum_m = planned(problem, "region_exact").length_m;
       for (const RegionPlannerEntry& planner : region_planners()) {
@@ -227,7 +227,7 @@ TEST(RegionExact, IsNeverBeatenAndLocalSearchReachesIt) {
 
 TEST(RegionExact, MoreDirectionsNeverMakeTheOptimumLonger) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    EXPECT_LE(planned(made_up_problem(8, seed, Sweeps::kAny), "region_exact").length_m,
+    EXPECT_LE(planned(made_up_problem(8, seed, PartSweeps::kAny), "region_exact").length_m,
               planned(made_up_problem(8, seed), "region_exact").length_m + kLengthRounding_m);
   }
 }

@@ -1,9 +1,11 @@
 // Every figure of every planner, map by map.
 import { el, section, table } from './dom.js';
 import { fixed, percent, short } from './format.js';
+import { placeOf, placesOf } from './places.js';
 
 const names = {
   cost: 'Cost',
+  gap: 'Gap',
   coverage_rate: 'Coverage',
   repeat_rate: 'Repeated',
   length_steps: 'Steps',
@@ -15,7 +17,12 @@ const names = {
   driven_time_s: 'Driven, s',
   driven_coverage_ratio: 'Driven coverage',
 };
-const ratios = ['coverage_rate', 'repeat_rate', 'driven_coverage_ratio'];
+const ratios = ['coverage_rate', 'repeat_rate', 'driven_coverage_ratio', 'gap'];
+
+const title = (place) =>
+  place.parts
+    ? `${place.name}: ${(place.area_m2 / 1e4).toFixed(2)} ha in ${place.parts.length} parts`
+    : `${place.name}: ${place.columns} × ${place.rows} cells, ${place.free_cells} free`;
 
 function cell(key, figure) {
   if (!figure || figure.mean == null) return '–';
@@ -43,26 +50,25 @@ export function compareFigures({ comparison, results }) {
     { label: 'Planned', number: true },
     ...keys.map((key) => ({ label: names[key], number: true })),
   ];
-  const maps = comparison.maps.map((map, i) => {
+  const places = placesOf(comparison).map((place, i) => {
     const rows = results
-      .filter((result) => result.map === map.name)
+      .filter((result) => placeOf(result) === place.name)
       .map((result) => [
         result.planner,
         state(result),
         ...keys.map((key) => cell(key, result.figures?.[key])),
       ]);
-    const title = `${map.name}: ${map.columns} × ${map.rows} cells, ${map.free_cells} free`;
     return el(
       'details',
       { class: 'figures map-figures', open: i === 0 },
-      el('summary', {}, title),
-      table(`Figures on ${map.name}`, columns, rows),
+      el('summary', {}, title(place)),
+      table(`Figures on ${place.name}`, columns, rows),
     );
   });
   return section(
     'figures',
-    'Figures, map by map',
+    comparison.fields ? 'Figures, field by field' : 'Figures, map by map',
     el('p', {}, 'Means over the runs, ± their standard deviation.'),
-    maps,
+    places,
   );
 }

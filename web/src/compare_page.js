@@ -3,17 +3,19 @@ import { el, section } from './dom.js';
 import { compareFigures } from './compare_figures.js';
 import { convergence } from './convergence.js';
 import { missingNote } from './header.js';
+import { placesOf, placeWord } from './places.js';
 import { ranks } from './ranks.js';
 
 const budgets = { evaluations: 'equal evaluations for all', seconds: 'equal seconds for all' };
 
 function subtitle({ comparison }) {
-  const { maps, planners, repeats, seed, equal_budget: budget, cost } = comparison;
+  const { planners, repeats, seed, equal_budget: budget, cost } = comparison;
+  const places = placesOf(comparison).length;
   return [
-    `${planners.length} planners on ${maps.length} ${maps.length === 1 ? 'map' : 'maps'}`,
+    `${planners.length} planners on ${places} ${placeWord(comparison, places)}`,
     `${repeats} runs each`,
     budgets[budget] ?? 'each planner with an end of its own',
-    `cost: ${cost.objective}`,
+    `cost: ${cost?.objective ?? 'length'}`,
     `seed ${seed}`,
   ].join(' · ');
 }

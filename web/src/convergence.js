@@ -3,6 +3,7 @@ import { axis, chart, textStyle, tooltip } from './charts.js';
 import { el, section } from './dom.js';
 import { short } from './format.js';
 import { ink } from './palette.js';
+import { placeOf, placesOf } from './places.js';
 
 const colours = [
   '#332288',
@@ -42,12 +43,12 @@ function medianLine(runs) {
 function mapChart(map, planners, runs) {
   const lines = planners.map(({ label }) => ({
     label,
-    points: medianLine(runs.filter((run) => run.map === map && run.planner === label)),
+    points: medianLine(runs.filter((run) => placeOf(run) === map && run.planner === label)),
   }));
   const drawn = lines.filter(({ points }) => points.length);
   if (!drawn.length) return null;
   const end = Math.max(
-    ...runs.filter((run) => run.map === map).map((run) => run.figures?.evaluations ?? 1),
+    ...runs.filter((run) => placeOf(run) === map).map((run) => run.figures?.evaluations ?? 1),
     2,
   );
   for (const { points } of drawn)
@@ -96,7 +97,7 @@ function mapChart(map, planners, runs) {
 }
 
 export function convergence({ comparison, runs }) {
-  const charts = comparison.maps
+  const charts = placesOf(comparison)
     .map(({ name }) => mapChart(name, comparison.planners, runs))
     .filter(Boolean);
   if (!charts.length) return null;

@@ -65,7 +65,8 @@ export function ranks({ ranks: found }) {
   if (!averages.length) return null;
   averages.sort((a, b) => a[1] - b[1]);
   const { friedman, control, bonferroni_dunn_distance: distance } = found;
-  const block = found.block === 'map' ? 'maps, by the mean over the runs' : 'single runs';
+  const block =
+    found.block === 'run' ? 'single runs' : `${found.block}s, by the mean over the runs`;
   return section(
     'ranks',
     'Who is better',

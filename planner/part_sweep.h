@@ -15,7 +15,7 @@ struct SweepLine {
   Eigen::Vector2d to_W = Eigen::Vector2d::Zero();
 };
 
-struct Sweep {
+struct PartSweep {
   double direction_rad = 0.0;    // 0 to pi
   std::vector<SweepLine> lines;  // at least one
 };
@@ -46,10 +46,10 @@ int sweep_line_count(const Ring& outline, double direction_rad, double width_m);
 // outline. The paper takes lines between the longest edge and the farthest corner and does not say
 // where they begin. Ends are where the line meets the outline, which is_swept_whole. Line 0 is
 // nearest to the edge along the direction, or to the right of it where there is none.
-Sweep sweep_of(const Ring& outline, double direction_rad, double width_m);
+PartSweep sweep_of(const Ring& outline, double direction_rad, double width_m);
 
 // All points of a way, two a line. Each line is entered at its end that is nearer to where the last
 // one was left, of equal ones at from_W.
-Polyline points_of(const Sweep& sweep, SweepWay way);
+Polyline points_of(const PartSweep& sweep, SweepWay way);
 
 }  // namespace headland

@@ -1,5 +1,5 @@
 // Parts worked up and down: lines, the four ways, what is swept whole.
-#include "planner/sweep.h"
+#include "planner/part_sweep.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kPoint_m = 1e-9;  // rounding of a few products
 
-TEST(Sweep, OfARectangleRunsAlongItsLongSide) {
+TEST(PartSweep, OfARectangleRunsAlongItsLongSide) {
   const Ring ring = rectangle_ring(0, 0, 100, 40);
   ASSERT_NEAR(longest_edge_rad(ring), 0.0, kPoint_m);
-  const Sweep sweep = sweep_of(ring, 0.0, 10.0);
+  const PartSweep sweep = sweep_of(ring, 0.0, 10.0);
   ASSERT_EQ(sweep.lines.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
     const double level_m = 5.0 + 10.0 * static_cast<double>(i);
@@ -26,24 +26,24 @@ TEST(Sweep, OfARectangleRunsAlongItsLongSide) {
   }
 }
 
-TEST(Sweep, LinesAreSpreadEvenlyAndNeverFartherApartThanTheWidth) {
+TEST(PartSweep, LinesAreSpreadEvenlyAndNeverFartherApartThanTheWidth) {
   EXPECT_EQ(sweep_line_count(rectangle_ring(0, 0, 100, 41), 0.0, 10.0), 5);
   EXPECT_EQ(sweep_line_count(rectangle_ring(0, 0, 100, 0.5), 0.0, 10.0), 1);
-  const Sweep sweep = sweep_of(rectangle_ring(0, 0, 100, 41), 0.0, 10.0);
+  const PartSweep sweep = sweep_of(rectangle_ring(0, 0, 100, 41), 0.0, 10.0);
   EXPECT_NEAR(sweep.lines[0].from_W.y(), 4.1, kPoint_m);
   EXPECT_NEAR(sweep.lines[4].from_W.y(), 36.9, kPoint_m);
 }
 
-TEST(Sweep, BeginsAtItsBaselineOnWhicheverSideThatLies) {
+TEST(PartSweep, BeginsAtItsBaselineOnWhicheverSideThatLies) {
   // The longest edge is the upper one.
   const Ring ring = {{20, 0}, {80, 0}, {100, 30}, {0, 30}};
-  const Sweep sweep = sweep_of(ring, longest_edge_rad(ring), 10.0);
+  const PartSweep sweep = sweep_of(ring, longest_edge_rad(ring), 10.0);
   ASSERT_EQ(sweep.lines.size(), 3U);
   EXPECT_NEAR(sweep.lines[0].from_W.y(), 25.0, kPoint_m);
 }
 
 TEST(Sweep, HasFourWaysOfWhichEachBeginsAtAnotherCorner) {
-  const Sweep sweep = sweep_of(rectangle_ring(0, 0, 100, 40), 0.0, 10.0);
+  const PartSweep sweep = sweep_of(rectangle_ring(0, 0, 100, 40), 0.0, 10.0);
   const double length = 4.0 * 100.0 + 3.0 * 10.0;
   const std::vector<Eigen::Vector2d> entries = {{0, 5}, {100, 5}, {0, 35}, {100, 35}};
   // Four lines: it ends on the side where it began.
@@ -57,13 +57,13 @@ TEST(Sweep, HasFourWaysOfWhichEachBeginsAtAnotherCorner) {
   }
 }
 
-TEST(Sweep, EntersTheNextLineAtItsNearerEnd) {
+TEST(PartSweep, EntersTheNextLineAtItsNearerEnd) {
   // Leaning so much that the nearer end of the next line is on the other side: lines at 2.5 and
   // 7.5 run from 25 to 35 and from 75 to 85.
   const Ring ring = {{0, 0}, {10, 0}, {110, 10}, {100, 10}};
-  Sweep sweep;
+  PartSweep sweep;
   sweep.lines = {{{25, 2.5}, {35, 2.5}}, {{75, 7.5}, {85, 7.5}}};
-  const Sweep laid = sweep_of(ring, 0.0, 5.0);
+  const PartSweep laid = sweep_of(ring, 0.0, 5.0);
   ASSERT_EQ(laid.lines.size(), 2U);
   const Polyline line = points_of(laid, {false, false});
   EXPECT_TRUE(line[0].isApprox(sweep.lines[0].from_W));
@@ -71,7 +71,7 @@ TEST(Sweep, EntersTheNextLineAtItsNearerEnd) {
   EXPECT_TRUE(line[2].isApprox(sweep.lines[1].from_W));
 }
 
-TEST(Sweep, LongestEdgeGoesThroughPointsThatLieStraight) {
+TEST(PartSweep, LongestEdgeGoesThroughPointsThatLieStraight) {
   // 60 m in two pieces are longer than 50 m in one.
   const Ring ring = {{0, 0}, {30, 0}, {60, 0}, {60, 50}, {0, 50}};
   EXPECT_EQ(corners_of(ring).size(), 4U);
@@ -88,7 +88,7 @@ TEST(IsSweptWhole, WhereEveryLineMeetsTheOutlineInOnePiece) {
   EXPECT_FALSE(is_swept_whole(l, 3.0 * kPi / 4.0));
 }
 
-TEST(Sweep, OfAnyConvexPieceStaysInsideAndIsSweptWholeInAnyDirection) {
+TEST(PartSweep, OfAnyConvexPieceStaysInsideAndIsSweptWholeInAnyDirection) {
   EXPECT_TRUE(rc::check([] {
     const double width_m = any_number(3.0, 15.0);
     const double direction_rad = any_number(0.0, 3.0);
@@ -106,9 +106,9 @@ TEST(Sweep, OfAnyConvexPieceStaysInsideAndIsSweptWholeInAnyDirection) {
 TEST(WorkedParts, HaveTheirOwnSweepFirstAndOthersOnlyWhenAsked) {
   RegionParts parts;
   parts.parts = {{{{20, 0}, {80, 0}, {100, 30}, {0, 30}}, 0.0}};
-  const std::vector<WorkedPart> own = worked_parts(parts, 10.0, Sweeps::kOwn);
+  const std::vector<WorkedPart> own = worked_parts(parts, 10.0, PartSweeps::kOwn);
   ASSERT_EQ(own[0].sweeps.size(), 1U);
-  const std::vector<WorkedPart> any = worked_parts(parts, 10.0, Sweeps::kAny);
+  const std::vector<WorkedPart> any = worked_parts(parts, 10.0, PartSweeps::kAny);
   ASSERT_EQ(any[0].sweeps.size(), 3U);  // two of the four edges are parallel
   EXPECT_EQ(any[0].sweeps[0].direction_rad, own[0].sweeps[0].direction_rad);
   const RegionProblem problem = region_problem(any, std::nullopt, Eigen::Vector2d(1, 2));

@@ -1,4 +1,4 @@
-#include "planner/sweep.h"
+#include "planner/part_sweep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,10 +129,10 @@ int sweep_line_count(const Ring& outline, double direction_rad, double width_m) 
   return std::max(1, static_cast<int>(std::ceil((height_m - kSpareHeight_m) / width_m)));
 }
 
-Sweep sweep_of(const Ring& outline, double direction_rad, double width_m) {
+PartSweep sweep_of(const Ring& outline, double direction_rad, double width_m) {
   const Levels levels = levels_across(outline, direction_rad);
   const int count = sweep_line_count(outline, direction_rad, width_m);
-  Sweep sweep;
+  PartSweep sweep;
   sweep.direction_rad = direction_rad;
   for (int line = 0; line < count; ++line) {
     const double level_m = levels.lowest_m + (line + 0.5) * levels.height_m() / count;
@@ -142,7 +142,7 @@ Sweep sweep_of(const Ring& outline, double direction_rad, double width_m) {
   return sweep;
 }
 
-Polyline points_of(const Sweep& sweep, SweepWay way) {
+Polyline points_of(const PartSweep& sweep, SweepWay way) {
   Polyline points;
   const std::size_t count = sweep.lines.size();
   for (std::size_t i = 0; i < count; ++i) {
