@@ -161,6 +161,8 @@ bool all_finite(const DriveCost& cost) {
 DriveCost drive_cost_of(const CostTable& table, const Vehicle& vehicle, const std::string& source) {
   DriveCost cost;
   cost.turning_radius_m = table.turning_radius_m;
+  cost.implement_x_m = vehicle.implement.x_B_m;
+  cost.forward_only = vehicle.implement.trailing.has_value();
   cost.working = slope_cost(table, true, table.work_speed_mps, source);
   cost.raised = slope_cost(table, false, table.work_speed_mps, source);
   cost.transit = slope_cost(table, false, vehicle.driver.transit_speed_mps, source);

@@ -46,6 +46,8 @@ struct DriveCost {
   MovementCost movement;         // fits `row_turns` and the cycle and turn measured alone
   std::vector<RowTurnCost> row_turns;
   double turning_radius_m = 0.0;  // that turns were driven with
+  double implement_x_m = 0.0;     // of where it works, ahead of B's origin; negative behind
+  bool forward_only = false;      // cannot turn with reverse gear
 };
 
 // Of the row turns of this spacing the cheapest in all, and what it takes: its length straight on

@@ -50,7 +50,9 @@ CostShares measured_shares(const GridCost& cost, int cells, double cell_m) {
   shares.u_turn = prices.u_turn;
   switch (cost.objective) {
     case GridObjective::kLength:
-      return {0.0, 1.0, 0.0, 0.0, 0.0, 0.0};
+      shares = {};
+      shares.step = 1.0;
+      return shares;
     case GridObjective::kWeighted:
       shares.step = prices.step;
       shares.constant = -prices.step * (cells - 1);
@@ -65,6 +67,9 @@ CostShares measured_shares(const GridCost& cost, int cells, double cell_m) {
   }
   shares.step = prices.step;
   shares.constant = prices.cell * cells;
+  // Two turns into the next row are one movement.
+  shares.turn = prices.corner;
+  shares.row_change = std::min(2.0 * (prices.turn - prices.corner), 0.0);
   return shares;
 }
 
@@ -163,7 +168,8 @@ double cost_of(const GridCost& cost, const GridCounts& counts, double cell_m) {
     const double steps =
         cost.objective == GridObjective::kMeasured ? counts.step_wh : shares.step * counts.steps;
     return shares.constant + steps + shares.level * counts.level_m + shares.climb * counts.climb_m +
-           shares.turn * counts.turns + shares.u_turn * counts.u_turns;
+           shares.turn * counts.turns + shares.u_turn * counts.u_turns +
+           shares.row_change * counts.row_changes;
   }
   const TractorEnergy& tractor = cost.tractor;
   switch (cost.objective) {

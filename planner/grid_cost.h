@@ -62,8 +62,8 @@ GridWeights weights_of(const GridCost& cost, double cell_m);
 void check_grid_cost(const GridCost& cost, const std::string& source);
 
 // The same as shares: cost = constant + steps * step + level_m * level + climb_m * climb + turns *
-// turn + u_turns * u_turn. Where the graph has step_wh their sum stands for steps * step, and step
-// is the least of them.
+// turn + u_turns * u_turn + row_changes * row_change. Where the graph has step_wh their sum stands
+// for steps * step, and step is the least of them.
 struct CostShares {
   double constant = 0.0;
   double step = 0.0;
@@ -71,6 +71,7 @@ struct CostShares {
   double climb = 0.0;
   double turn = 0.0;
   double u_turn = 0.0;
+  double row_change = 0.0;  // 0 or less: what the second of two turns into the next row saves
 };
 CostShares cost_shares(const GridCost& cost, const GridGraph& graph);
 

@@ -37,6 +37,7 @@ GridCounts count_path(const GridGraph& graph, const std::vector<int>& path) {
   counts.steps = static_cast<int>(path.size()) - 1;
   counts.repeats = static_cast<int>(path.size()) - counts.distinct_cells;
   int before = -1;
+  int turned = 0;  // the last step began with a turn: 1 to the left, 2 to the right
   for (std::size_t i = 1; i < path.size(); ++i) {
     const int direction = direction_between(graph, path[i - 1], path[i]);
     if (direction >= 0) {
@@ -49,6 +50,10 @@ GridCounts count_path(const GridGraph& graph, const std::vector<int>& path) {
       counts.turns += is_turn(before, direction) ? 1 : 0;
       counts.u_turns += is_u_turn(before, direction) ? 1 : 0;
     }
+    const bool turns = direction >= 0 && before >= 0 && is_turn(before, direction);
+    const int turned_now = !turns ? 0 : (turns_left(before, direction) ? 1 : 2);
+    counts.row_changes += turns && turned_now == turned ? 1 : 0;
+    turned = turned_now;
     before = direction;
   }
   return counts;

@@ -22,12 +22,16 @@ struct GridCounts {
   int u_turns = 0;       // Eqs (14), (15)
   double level_m = 0.0;  // sum of d cos^2(alpha) over the steps
   double climb_m = 0.0;  // sum of |height difference| sin(alpha)
+  int row_changes = 0;   // turns one step after another one to the same side
   double step_wh = 0.0;  // sum of the graph's step_wh, 0 where it has none
   int distinct_cells = 0;
 };
 
 // Between the directions of two steps.
 constexpr bool is_turn(int one, int next) { return (one - next) % 2 != 0; }
+constexpr bool turns_left(int one, int next) {
+  return (next + kDirections - one) % kDirections == 3;
+}
 constexpr bool is_u_turn(int one, int next) { return next == opposite(one); }
 
 // One step's share of level_m and climb_m.

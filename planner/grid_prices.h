@@ -12,10 +12,11 @@ namespace headland {
 // On cells of one size, as the plan is driven: straight runs with the implement down, turns between
 // them with it raised, and what is worked already passed with it raised. W h, but for the last two.
 struct GridPrices {
-  double step = 0.0;            // on level ground, implement raised; a repeat is no more than that
-  double cell = 0.0;            // working a cell instead of only crossing it
-  double turn = 0.0;            // a right angle: half of the cheapest turn into the next row
-  double u_turn = 0.0;          // turning back on the spot
+  double step = 0.0;    // on level ground, implement raised; a repeat is no more than that
+  double cell = 0.0;    // working a cell instead of only crossing it
+  double turn = 0.0;    // a right angle: half of the cheapest turn into the next row
+  double corner = 0.0;  // a right angle by itself: the cheapest turn from a row into a column
+  double u_turn = 0.0;  // turning back on the spot
   double level_wh_per_m = 0.0;  // the terms of Wang et al. 2025: of level_m,
   double climb_wh_per_m = 0.0;  // and of climb_m: what slopes add, up and down together
 };

@@ -50,27 +50,38 @@ double change_of_parts(const OrderCost& cost, const Order& order, double most, S
   return one + cost_of_parts(cost, order, new_other, before + most - one) - before;
 }
 
-// The last place from `place` back that begins a fixed way to one not after `place`, else `least`:
-// what lies before has no part in what changes after `place`.
+// Whether the walk over order[i - 1] .. order[i] ends in the same state whatever comes before
+// `first`: by a way that is always the same, and, where turns that follow each other cost something
+// else, over two such steps or more.
+bool settles(const OrderCost& cost, const Order& order, int i, int first) {
+  if (!is_fixed_way(cost, at(order, i - 1), at(order, i))) return false;
+  if (cost.states == kDirections) return true;
+  if (steps_without_obstacles(*cost.graph, at(order, i - 1), at(order, i)) > 1) return true;
+  return i - 2 >= first && is_fixed_way(cost, at(order, i - 2), at(order, i - 1));
+}
+
+// The last place from `place` back from which on a way not beyond `place` settles the walk, else
+// `least`: what lies before has no part in what changes after `place`.
 int place_before(const OrderCost& cost, const Order& order, int place, int least) {
-  for (int i = place - 1; i >= least; --i) {
-    if (is_fixed_way(cost, at(order, i), at(order, i + 1))) return i;
+  const int legs = cost.states == kDirections ? 1 : 2;
+  for (int i = place - legs; i >= least; --i) {
+    if (settles(cost, order, i + legs, i)) return i;
   }
   return least;
 }
 
-// Likewise the first place after `place` that ends a fixed way, else `most`.
+// Likewise the first place after `place` that ends such a way, else `most`.
 int place_after(const OrderCost& cost, const Order& order, int place, int most) {
   for (int i = place + 1; i <= most; ++i) {
-    if (is_fixed_way(cost, at(order, i - 1), at(order, i))) return i;
+    if (settles(cost, order, i, place)) return i;
   }
   return most;
 }
 
-// Whether a fixed way lies between two places of a stretch that is found by the two above.
+// Whether such a way lies between two places, found by the two above.
 bool is_parted(const OrderCost& cost, const Order& order, int from, int to) {
   const int end = place_after(cost, order, from, to);
-  return end > from && is_fixed_way(cost, at(order, end - 1), at(order, end));
+  return end > from && settles(cost, order, end, from);
 }
 
 int node_at_place(const Order& order, int place) {
@@ -106,8 +117,9 @@ double most_cost(const OrderCost& cost, const PlaceJoin& join) {
   const auto is_step = [&](int one, int other) {
     return one < 0 || direction_between(*cost.graph, one, other) >= 0;
   };
-  const bool steps = !cost.slopes && is_step(join.before, join.from) &&
-                     is_step(join.from, join.to) && is_step(join.after, join.to);
+  const bool steps = !cost.slopes && cost.states == kDirections &&
+                     is_step(join.before, join.from) && is_step(join.from, join.to) &&
+                     is_step(join.after, join.to);
   return steps ? least_cost(cost, join) : std::numeric_limits<double>::infinity();
 }
 
@@ -185,7 +197,7 @@ double full_cost(const OrderCost& cost, std::span<const int> order) {
 
 double change_by_walked_reversal(const OrderCost& cost, const Order& order, int i, int j,
                                  double most) {
-  if (!cost.slopes) {
+  if (!cost.slopes && cost.states == kDirections) {
     if (const double least = least_change_by_reversal(cost, order, i, j); least > most) {
       return least;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace headland {
 namespace {
@@ -25,17 +26,55 @@ double turned_to(const OrderWalk& walk, int direction) {
     return walk.last < 0 ? walk.so_far : walk.so_far + at(at(walk.cost.turn, walk.last), direction);
   }
   double least = kNever;
-  for (int last = 0; last < kDirections; ++last) {
+  for (int last = 0; last < walk.cost.states; ++last) {
     least = std::min(least, at(walk.by_last, last) + at(at(walk.cost.turn, last), direction));
   }
   return least;
 }
 
-void arrive(OrderWalk& walk, int node, int direction, double cost) {
+int state_after(const OrderCost& cost, int state, int direction) {
+  return state < 0 ? direction : at(at(cost.next, state), direction);
+}
+
+// Whether the walk turned to `direction` may be in more than one state.
+bool may_split(const OrderWalk& walk) { return walk.several && walk.cost.states > kDirections; }
+
+// Of such a walk the least cost by the states it may be in.
+std::array<double, kMostStates> split(const OrderWalk& walk, int direction) {
+  std::array<double, kMostStates> costs{};
+  costs.fill(kNever);
+  for (int last = 0; last < walk.cost.states; ++last) {
+    double& least = at(costs, state_after(walk.cost, last, direction));
+    least = std::min(least, at(walk.by_last, last) + at(at(walk.cost.turn, last), direction));
+  }
+  return costs;
+}
+
+// In one state, that is.
+void arrive(OrderWalk& walk, int node, int state, double cost) {
   walk.node = node;
-  walk.last = direction;
+  walk.last = state;
   walk.so_far = cost;
   walk.several = false;
+}
+
+void arrive(OrderWalk& walk, int node, const std::array<double, kMostStates>& costs) {
+  walk.by_last = costs;
+  walk.node = node;
+  walk.last = -1;
+  walk.several = true;
+}
+
+void step_to(OrderWalk& walk, int node, int direction) {
+  const double step = step_cost(walk.cost, walk.node, node);
+  if (!may_split(walk)) {
+    const int before = walk.several ? -1 : walk.last;
+    const double cost = turned_to(walk, direction) + step;
+    return arrive(walk, node, state_after(walk.cost, before, direction), cost);
+  }
+  std::array<double, kMostStates> costs = split(walk, direction);
+  for (double& cost : costs) cost += step;
+  arrive(walk, node, costs);
 }
 
 // As if nothing were blocked and the ground were flat: along the row at the end with the lower
@@ -65,13 +104,12 @@ void walk_far(OrderWalk& walk, int to) {
   append_way(*walk.cost.graph, *walk.cost.table, walk.node, to, way);
   for (std::size_t i = 1; i < way.size(); ++i) {
     const int direction = direction_between(*walk.cost.graph, way[i - 1], way[i]);
-    arrive(walk, way[i], direction,
-           turned_to(walk, direction) + step_cost(walk.cost, way[i - 1], way[i]));
+    step_to(walk, way[i], direction);
   }
 }
 
-// Every shortest way of up to kJoinSteps steps, step by step. Stop: void(int last_direction,
-// double cost), called where one ends.
+// Every shortest way of up to kJoinSteps steps, step by step. Stop: void(int state, double cost),
+// called where one ends.
 template <typename Step, typename Stop>
 struct Ways {
   const OrderCost& cost;
@@ -79,14 +117,14 @@ struct Ways {
   Step step;  // void(int node): goes on to it, or, with -1, back
   Stop stop;
 
-  void follow(int node, int direction, int left, double so_far) {
-    if (left == 0) return stop(direction, so_far);
+  void follow(int node, int state, int left, double so_far) {
+    if (left == 0) return stop(state, so_far);
     for (int next_direction = 0; next_direction < kDirections; ++next_direction) {
       const int next = at(at(cost.graph->beside, node), next_direction);
       if (next < 0 || (*cost.table)(next, to) != left - 1) continue;
       step(next);
-      follow(next, next_direction, left - 1,
-             so_far + at(at(cost.turn, direction), next_direction) + step_cost(cost, node, next));
+      follow(next, at(at(cost.next, state), next_direction), left - 1,
+             so_far + at(at(cost.turn, state), next_direction) + step_cost(cost, node, next));
       step(-1);
     }
   }
@@ -99,15 +137,38 @@ void follow_ways(const OrderWalk& walk, int to, int steps, Step step, Stop stop)
     const int next = at(at(walk.cost.graph->beside, walk.node), direction);
     if (next < 0 || (*walk.cost.table)(next, to) != steps - 1) continue;
     step(next);
-    ways.follow(next, direction, steps - 1,
-                turned_to(walk, direction) + step_cost(walk.cost, walk.node, next));
+    const double step_price = step_cost(walk.cost, walk.node, next);
+    if (!may_split(walk)) {
+      const int before = walk.several ? -1 : walk.last;
+      ways.follow(next, state_after(walk.cost, before, direction), steps - 1,
+                  turned_to(walk, direction) + step_price);
+    } else {
+      const std::array<double, kMostStates> costs = split(walk, direction);
+      for (int state = 0; state < walk.cost.states; ++state) {
+        if (at(costs, state) == kNever) continue;
+        ways.follow(next, state, steps - 1, at(costs, state) + step_price);
+      }
+    }
     step(-1);
   }
 }
 
+// What a way costs beyond its steps when it is begun in this state, and the state it ends in.
+std::pair<double, int> turns_of_way(const OrderCost& cost, int node, const std::vector<int>& way,
+                                    int state) {
+  double turns = 0.0;
+  for (const int next : way) {
+    const int direction = direction_between(*cost.graph, node, next);
+    turns += at(at(cost.turn, state), direction);
+    state = at(at(cost.next, state), direction);
+    node = next;
+  }
+  return {turns, state};
+}
+
 // Appends the way of the walk's last leg, from a node where it stood as in `before`, that ends in
-// `last_direction`; the direction in which that node was reached.
-int append_leg(const OrderWalk& before, int to, int last_direction, std::vector<int>& reversed) {
+// `last_state`; the state in which that node was reached.
+int append_leg(const OrderWalk& before, int to, int last_state, std::vector<int>& reversed) {
   const OrderCost& cost = before.cost;
   std::vector<int> best;
   const int steps = (*cost.table)(before.node, to);
@@ -122,22 +183,22 @@ int append_leg(const OrderWalk& before, int to, int last_direction, std::vector<
           if (node >= 0) return way.push_back(node);
           way.pop_back();
         },
-        [&](int direction, double costs) {
-          if (direction != last_direction || !(costs < least)) return;
+        [&](int state, double costs) {
+          if (state != last_state || !(costs < least)) return;
           least = costs;
           best = way;
         });
   }
   reversed.insert(reversed.end(), best.rbegin(), best.rend());
-  if (!before.several || best.empty()) return before.last;
-  const int first_direction = direction_between(*cost.graph, before.node, best.front());
+  if (!before.several || best.empty()) return before.several ? last_state : before.last;
   int last = 0;
   double least = kNever;
-  for (int direction = 0; direction < kDirections; ++direction) {
-    const double costs =
-        at(before.by_last, direction) + at(at(cost.turn, direction), first_direction);
-    if (costs < least) last = direction;
-    least = std::min(least, costs);
+  for (int state = 0; state < cost.states; ++state) {
+    const auto [turns, end] = turns_of_way(cost, before.node, best, state);
+    const double costs = at(before.by_last, state) + turns;
+    if (end != last_state || !(costs < least)) continue;
+    last = state;
+    least = costs;
   }
   return last;
 }
@@ -174,15 +235,25 @@ bool differ_by_direction(const GridGraph& graph) {
 }  // namespace
 
 OrderCost order_cost(const GridGraph& graph, const DistanceTable& table, const GridCost& cost) {
-  OrderCost result{&graph, &table, cost_shares(cost, graph), true, false, false, {}};
+  OrderCost result;
+  result.graph = &graph;
+  result.table = &table;
+  result.shares = cost_shares(cost, graph);
   const CostShares& shares = result.shares;
   result.slopes = shares.level > 0.0 || shares.climb > 0.0 || differ(graph);
   result.directed = differ_by_direction(graph);
   result.lengths_only = !(shares.turn > 0.0 || shares.u_turn > 0.0 || result.slopes);
-  for (int one = 0; one < kDirections; ++one) {
+  if (shares.row_change != 0.0) result.states = kMostStates;
+  for (int state = 0; state < result.states; ++state) {
+    const int one = state % kDirections;
     for (int next = 0; next < kDirections; ++next) {
-      at(at(result.turn, one), next) =
-          is_turn(one, next) ? shares.turn : (is_u_turn(one, next) ? shares.u_turn : 0.0);
+      double& price = at(at(result.turn, state), next);
+      price = is_turn(one, next) ? shares.turn : (is_u_turn(one, next) ? shares.u_turn : 0.0);
+      at(at(result.next, state), next) = next;
+      if (result.states == kDirections || !is_turn(one, next)) continue;
+      const int sense = turns_left(one, next) ? 1 : 2;
+      if (state / kDirections == sense) price += shares.row_change;
+      at(at(result.next, state), next) = next + sense * kDirections;
     }
   }
   return result;
@@ -200,22 +271,17 @@ void walk_on(OrderWalk& walk, int to) {
   }
   const int beside = direction_between(*walk.cost.graph, walk.node, to);
   if (beside >= 0) {
-    return arrive(walk, to, beside, turned_to(walk, beside) + step_cost(walk.cost, walk.node, to));
+    return step_to(walk, to, beside);
   }
   const int steps = (*walk.cost.table)(walk.node, to);
   if (steps == 0) return;
   if (steps > kJoinSteps) return walk_far(walk, to);
-  std::array<double, kDirections> by_last{};
-  by_last.fill(kNever);
+  std::array<double, kMostStates> costs{};
+  costs.fill(kNever);
   follow_ways(
       walk, to, steps, [](int) {},
-      [&](int direction, double costs) {
-        at(by_last, direction) = std::min(at(by_last, direction), costs);
-      });
-  walk.by_last = by_last;
-  walk.node = to;
-  walk.last = -1;
-  walk.several = true;
+      [&](int state, double cost) { at(costs, state) = std::min(at(costs, state), cost); });
+  arrive(walk, to, costs);
 }
 
 double cost_of_walk(const OrderWalk& walk) {

@@ -10,6 +10,8 @@
 
 namespace headland {
 
+inline constexpr int kMostStates = 3 * kDirections;
+
 // What orders are priced by; graph and table are not owned.
 struct OrderCost {
   const GridGraph* graph = nullptr;
@@ -18,8 +20,13 @@ struct OrderCost {
   bool lengths_only = true;  // neither turns nor slopes cost anything
   bool slopes = false;       // steps differ in what they cost
   bool directed = false;     // and in the two directions between the same cells
-  // Of going on in the second direction after a step in the first.
-  std::array<std::array<double, kDirections>, kDirections> turn{};
+  // How many states of a walk there are: the direction of its last step, or, where turns that
+  // follow each other cost something else, that and whether the step began with a turn to the left
+  // (after kDirections more) or to the right (after twice as many).
+  int states = kDirections;
+  // Of going on in a direction, and the state that this leads to.
+  std::array<std::array<double, kDirections>, kMostStates> turn{};
+  std::array<std::array<int, kDirections>, kMostStates> next{};
 };
 
 OrderCost order_cost(const GridGraph& graph, const DistanceTable& table, const GridCost& cost);
@@ -36,10 +43,10 @@ bool is_fixed_way(const OrderCost& cost, int from, int to);
 struct OrderWalk {
   const OrderCost& cost;
   int node = -1;        // where it is; -1: nowhere yet
-  int last = -1;        // direction of the last step; -1: none yet, or any of several
+  int last = -1;        // its state; -1: no step yet, or any of several
   double so_far = 0.0;  // its cost, unless there are several
   bool several = false;
-  std::array<double, kDirections> by_last{};  // by the direction of the last step, if several
+  std::array<double, kMostStates> by_last{};  // by its state, if several
 };
 
 void walk_on(OrderWalk& walk, int to);

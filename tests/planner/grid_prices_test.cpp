@@ -90,8 +90,25 @@ TEST(GridPricesTest, PapersTermsTakeTheirMeasuredValues) {
   cost.objective = GridObjective::kLength;
   EXPECT_NEAR(cost_of(cost, counts, 2.0), 20.0, kPriceRounding);
   cost.objective = GridObjective::kMeasured;
+  // By all that was measured two turns into the next row cost less than two corners.
   counts.step_wh = 16.0;
-  EXPECT_NEAR(cost_of(cost, counts, 2.0), 18 * 1.2 + 16.0 + 4 * 2.2 + 4.4, kPriceRounding);
+  const double corner = grid_prices(*cost.measured, 2.0).corner;
+  EXPECT_GT(corner, 2.2);
+  EXPECT_NEAR(cost_of(cost, counts, 2.0), 18 * 1.2 + 16.0 + 4 * corner + 4.4, kPriceRounding);
+  counts.row_changes = 2;
+  EXPECT_NEAR(cost_of(cost, counts, 2.0), 18 * 1.2 + 16.0 + 2 * (2 * 2.2) + 4.4, kPriceRounding);
+}
+
+TEST(GridPricesTest, RowChangesAreTwoTurnsToOneSideAStepApart) {
+  const GridGraph graph = grid_graph(free_grid_map(6, 5), "test");
+  const auto row_changes = [&](const std::vector<int>& path) {
+    return count_path(graph, path).row_changes;
+  };
+  EXPECT_EQ(row_changes({0, 1, 2, 8, 7, 6}), 1);    // into the next row and back along it
+  EXPECT_EQ(row_changes({6, 7, 8, 2, 1, 0}), 1);    // to the right
+  EXPECT_EQ(row_changes({0, 1, 2, 8, 9, 10}), 0);   // on in the same direction
+  EXPECT_EQ(row_changes({0, 1, 2, 8, 14, 13}), 0);  // two rows on
+  EXPECT_EQ(row_changes({0, 1, 7, 6, 12, 13, 19, 18}), 3);
 }
 
 // On a ramp the search lays its rows along the contour, whichever way the ramp looks.
