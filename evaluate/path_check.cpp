@@ -55,8 +55,19 @@ void check_point(const PathPoint& point, const Eigen::AlignedBox2d& near, const 
   }
 }
 
-// Two neighbours, the second of which is at `place`.
-void check_step(const PathPoint& from, const PathPoint& to, Gear gear, const Place& place) {
+// Turns along a segment so far [rad]: of the headings, and between what the lesser and the greater
+// curvature at each step's ends make of the way.
+struct Turned {
+  double by_headings_rad = 0.0;
+  double least_rad = 0.0;
+  double most_rad = 0.0;
+  double way_m = 0.0;
+};
+
+// Two neighbours, the second of which is at `place`. Errors too small to show in one step add up in
+// `turned`.
+void check_step(const PathPoint& from, const PathPoint& to, Gear gear, const Place& place,
+                Turned& turned) {
   const Eigen::Vector2d step = to.p_W - from.p_W;
   if (step.norm() < kDirectionStep_m) return;
   const bool reverse = gear == Gear::kReverse;
@@ -72,21 +83,27 @@ void check_step(const PathPoint& from, const PathPoint& to, Gear gear, const Pla
   const double travel_m = reverse ? -step.norm() : step.norm();
   const auto [least_rad, most_rad] =
       std::minmax({travel_m * from.curvature_per_m, travel_m * to.curvature_per_m});
-  if (turn_rad < least_rad - kHeadingTolerance_rad || turn_rad > most_rad + kHeadingTolerance_rad) {
+  turned.by_headings_rad += turn_rad;
+  turned.least_rad += least_rad;
+  turned.most_rad += most_rad;
+  turned.way_m += step.norm();
+  if (turned.by_headings_rad < turned.least_rad - kHeadingTolerance_rad ||
+      turned.by_headings_rad > turned.most_rad + kHeadingTolerance_rad) {
     place.refuse(fmt::format("curvature_per_m {:g}", to.curvature_per_m),
                  fmt::format("the headings turn by {:.3g} rad over {:.3g} m: curvatures and "
                              "headings must agree within {} rad",
-                             turn_rad, step.norm(), kHeadingTolerance_rad));
+                             turned.by_headings_rad, turned.way_m, kHeadingTolerance_rad));
   }
 }
 
 void check_segment(const PathSegment& segment, const Eigen::AlignedBox2d& near, const Field& field,
                    Place place) {
   double longest_m = 0.0;
+  Turned turned;
   for (std::size_t i = 0; i < segment.points.size(); ++i) {
     place.point = i;
     check_point(segment.points[i], near, field, place);
-    if (i > 0) check_step(segment.points[i - 1], segment.points[i], segment.gear, place);
+    if (i > 0) check_step(segment.points[i - 1], segment.points[i], segment.gear, place, turned);
     longest_m = std::max(longest_m, (segment.points[i].p_W - segment.points[0].p_W).norm());
   }
   if (longest_m == 0.0) {

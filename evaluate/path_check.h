@@ -15,7 +15,8 @@ namespace headland {
 void check_path(const Path& path, const Field& field, const std::filesystem::path& file);
 
 // Between neighbouring points the mean heading may differ by this from the line through them, and
-// the turn by this from what the curvatures make of the distance.
+// the turn by this from what the curvatures make of the distance, in one step or summed over a
+// segment.
 inline constexpr double kHeadingTolerance_rad = 0.5;
 // Larger numbers are no angle or no curve of a vehicle.
 inline constexpr double kMaxHeading_rad = 100.0;

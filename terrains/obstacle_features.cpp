@@ -54,6 +54,10 @@ ObstacleKind kind_of(const GivenFeature& given) {
 void append_lines(const OGRGeometry& geometry, const GivenFeature& given,
                   std::vector<std::vector<Eigen::Vector2d>>& lines) {
   const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
+  if (geometry.IsEmpty()) {
+    throw InputError(given.file, given.where, geometry.getGeometryName(),
+                     "a part of its geometry is empty");
+  }
   if (type == wkbPoint) {
     const OGRPoint& point = *geometry.toPoint();
     lines.push_back({{point.getX(), point.getY()}});
@@ -71,6 +75,20 @@ void append_lines(const OGRGeometry& geometry, const GivenFeature& given,
                      "an obstacle is a point or a line; what covers an area is a hole in the "
                      "field's polygon");
   }
+}
+
+// A surveyed line with points every few centimetres would be thousands of obstacles: bends of less
+// than this are left out (Douglas and Peucker).
+constexpr double kSmallBend_m = 0.01;
+
+std::vector<Eigen::Vector2d> without_small_bends(const std::vector<Eigen::Vector2d>& line) {
+  OGRLineString given;
+  for (const Eigen::Vector2d& p : line) given.addPoint(p.x(), p.y());
+  const std::unique_ptr<OGRGeometry> simple(given.Simplify(kSmallBend_m));
+  if (simple == nullptr || simple->IsEmpty()) return line;
+  std::vector<Eigen::Vector2d> result;
+  for (const OGRPoint& p : *simple->toLineString()) result.emplace_back(p.getX(), p.getY());
+  return result;
 }
 
 }  // namespace
@@ -97,11 +115,12 @@ void add_obstacle(const ObstacleSource& obstacle, const std::string& source,
     return;
   }
   const std::size_t before = field.obstacles.size();
-  for (std::size_t i = 1; i < obstacle.line.size(); ++i) {
-    const Eigen::Vector2d run_W = obstacle.line[i] - obstacle.line[i - 1];
+  const std::vector<Eigen::Vector2d> line = without_small_bends(obstacle.line);
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Eigen::Vector2d run_W = line[i] - line[i - 1];
     if (run_W.norm() <= kSamePlace_m) continue;
     field.obstacles.push_back(
-        {obstacle.kind, obstacle.line[i - 1], obstacle.radius_m, obstacle.height_m, run_W});
+        {obstacle.kind, line[i - 1], obstacle.radius_m, obstacle.height_m, run_W});
     check_obstacle(field, field.obstacles.back(), source, where);
   }
   if (field.obstacles.size() == before) {

@@ -47,7 +47,7 @@ Soil soil_of_cone_index(double cone_index_kpa);
 Soil soil_of_constants(const ConstantGround& ground);
 
 // What the program takes for a soil's number.
-inline constexpr double kMinConeIndex_kpa = 1.0;
+inline constexpr double kMinConeIndex_kpa = 10.0;     // below it is mud, not soil
 inline constexpr double kMaxConeIndex_kpa = 20000.0;  // a cone penetrates no rock
 inline constexpr double kMaxFriction = 2.0;
 inline constexpr double kMaxRollingResistance = 1.0;

@@ -85,6 +85,15 @@ std::optional<std::string> property(const OGRFeature& feature,
   return std::nullopt;
 }
 
+bool is_truth_value(const OGRFeature& feature, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    const int index = feature.GetFieldIndex(name);
+    if (index < 0 || !feature.IsFieldSetAndNotNull(index)) continue;
+    return const_cast<OGRFeature&>(feature).GetFieldDefnRef(index)->GetSubType() == OFSTBoolean;
+  }
+  return false;
+}
+
 Soil soil_of(const OGRFeature& feature, const std::string& file, const std::string& where) {
   const auto name = property(feature, {"soil"});
   const auto cone_index = property(feature, {"cone_index_kpa", "cone_index"});
@@ -94,6 +103,11 @@ Soil soil_of(const OGRFeature& feature, const std::string& file, const std::stri
                           : "a zone needs a property soil (a known soil's name) or cone_index_kpa");
   }
   if (name) return soil_named(*name, file, where + ": soil");
+  // GDAL hands true over as 1.
+  if (is_truth_value(feature, {"cone_index_kpa", "cone_index"})) {
+    throw InputError(file, where + ": cone_index_kpa", *cone_index == "1" ? "true" : "false",
+                     "a number in kPa is needed");
+  }
   char* end = nullptr;
   const double cone_index_kpa = CPLStrtod(cone_index->c_str(), &end);
   if (*end != '\0' ||

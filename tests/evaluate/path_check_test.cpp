@@ -113,6 +113,13 @@ TEST(PathCheck, RefusesHeadingsAndCurvaturesThatTheLineDoesNotHave) {
       }),
       "path.geojson: feature 1, point 2: 'curvature_per_m 5': the headings turn by 0 rad over "
       "0.25 m: curvatures and headings must agree within 0.5 rad");
+  // 0.6 per m over the straight metre: no step of it shows, all together do.
+  EXPECT_EQ(
+      refused([](Path& path) {
+        for (PathPoint& point : path.segments[0].points) point.curvature_per_m = 0.6;
+      }),
+      "path.geojson: feature 1, point 5: 'curvature_per_m 0.6': the headings turn by 0 rad over "
+      "1 m: curvatures and headings must agree within 0.5 rad");
   // The gear belongs to it: the same line driven forwards would be driven tail first.
   EXPECT_NE(refused([](Path& path) { path.segments[1].gear = Gear::kForward; }), "accepted");
 }

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "terrains/field_source.h"
 #include "tests/terrains/refusal.h"
 #include "tests/terrains/scratch_folder.h"
@@ -96,6 +98,36 @@ TEST_F(ObstacleFeatures, AreRefusedByFeatureAndProperty) {
   EXPECT_THAT(refused(feature(R"("obstacle": "fence")", "LineString",
                               "[[-93.001, 43.0005], [-93.01, 43.0005]]")),
               HasSubstr("m outside the boundary (at most 100 m) at lon -93.01"));
+}
+
+TEST_F(ObstacleFeatures, WithoutAPlaceAreRefused) {
+  const std::string at = path("field.geojson").string() + ": feature 2: ";
+  const std::string tree = R"("obstacle": "tree")";
+  EXPECT_EQ(refused(feature(tree, "Point", "[]")),
+            at + "'tree': has no geometry that says where it is");
+  EXPECT_EQ(
+      refused(R"(, {"type": "Feature", "properties": {"obstacle": "tree"}, "geometry": null})"),
+      at + "'tree': has no geometry that says where it is");
+  EXPECT_EQ(refused(feature(R"("obstacle": "fence")", "MultiLineString",
+                            "[[], [[-93.0015, 43.0005], [-93.001, 43.0005]]]")),
+            at + "'LINESTRING': a part of its geometry is empty");
+}
+
+// A line surveyed every few centimetres keeps its bends and loses the points between them.
+TEST_F(ObstacleFeatures, AFenceLosesItsSmallBends) {
+  std::string line = "[";
+  constexpr int kPoints = 1000;
+  for (int i = 0; i <= kPoints; ++i) {
+    line += fmt::format("{}[{:.9f}, {:.9f}]", i == 0 ? "" : ", ", -93.0018 + 1e-6 * i,
+                        43.0005 + 5e-6 * std::sin(0.01 * i));
+  }
+  const Field field = read(feature(R"("obstacle": "fence")", "LineString", line + "]"));
+  EXPECT_LT(field.obstacles.size(), 60U);
+  EXPECT_GT(field.obstacles.size(), 5U);
+  double length_m = 0.0;
+  for (const Obstacle& piece : field.obstacles) length_m += piece.run_W.norm();
+  // 1e-3 degrees of longitude at 43 deg; the waves add a little.
+  EXPECT_NEAR(length_m, 81.5, 0.5);
 }
 
 TEST_F(ObstacleFeatures, AFenceMayRunAlongTheBoundary) {

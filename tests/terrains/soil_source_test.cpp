@@ -177,8 +177,10 @@ TEST_F(SoilSourceFile, RefusesZonesWithoutASoil) {
             at + ": has both soil and cone_index_kpa; give one of them");
   for (const char* value : {"-450", "0", "1e9", "\"wet\""}) {
     EXPECT_THAT(refused_zone(fmt::format("\"cone_index_kpa\": {}", value)),
-                HasSubstr("a number from 1 to 20000 kPa"));
+                HasSubstr("a number from 10 to 20000 kPa"));
   }
+  EXPECT_EQ(refused_zone(R"("cone_index_kpa": true)"),
+            at + ": cone_index_kpa: 'true': a number in kPa is needed");
 }
 
 // A zone whose edges cross covers either half or nothing, as one reads it.
@@ -230,7 +232,7 @@ TEST_F(SoilSourceFile, RefusesRastersOfOtherThings) {
   Raster raster = cone_indices();
   raster.height = [](double x, double) { return x > kEast + 100.0 ? 0.0 : 800.0; };
   write(raster, source.file);
-  EXPECT_THAT(refused(source), HasSubstr("'0': not a cone index from 1 to 20000 kPa, at lon -9"));
+  EXPECT_THAT(refused(source), HasSubstr("'0': not a cone index from 10 to 20000 kPa, at lon -9"));
   raster = cone_indices();
   raster.unit = "m";
   write(raster, source.file);
