@@ -141,6 +141,7 @@ Json totals_json(const RunRecord& run) {
   json["motor_clipped_s"] = run.peaks.motor_clipped_s;
   json["belly_contacts"] = run.peaks.belly_contacts;
   json["overrun_in_hole"] = run.peaks.overrun_in_hole;
+  json["load_transfer_of_trailer"] = run.peaks.load_transfer_of_trailer;
   return json;
 }
 
@@ -262,6 +263,7 @@ RunRecord read_run_totals(const std::filesystem::path& file) {
   run.peaks.motor_clipped_s = top.at("run").at("motor_clipped_s").number();
   run.peaks.belly_contacts = top.at("run").at("belly_contacts").count();
   run.peaks.overrun_in_hole = top.at("run").at("overrun_in_hole").flag();
+  run.peaks.load_transfer_of_trailer = top.at("run").at("load_transfer_of_trailer").flag();
   run.energy = read_energy(top.at("energy"));
   for (const PeakKey& entry : kPeaks) {
     const Source source = top.at("peaks").at(entry.key);

@@ -46,6 +46,11 @@ void report_trailer(const TrailerStep& step, StepReport& report) {
   report.hitch_angle_rad = hitch_angle_rad(report.chassis, step.before);
   report.draft_n = step.draft_n;
   report.stored = sum(report.stored, step.stored);
+  const double left_n = step.contacts[0].load_n;
+  const double right_n = step.contacts[1].load_n;
+  if (left_n + right_n > 0.0) {
+    report.trailer_load_transfer_ratio = (left_n - right_n) / (left_n + right_n);
+  }
   for (std::size_t i = 0; i < kTrailerWheels; ++i) {
     report.trailer_on_terrain = report.trailer_on_terrain && step.contacts[i].on_terrain;
   }

@@ -55,6 +55,7 @@ struct StepReport {
   // Of a trailed implement.
   ChassisState trailer;  // before
   double hitch_angle_rad = 0.0;
+  double trailer_load_transfer_ratio = 0.0;  // (left - right) / total of its wheels' loads
   bool trailer_on_terrain = true;
 };
 

@@ -19,6 +19,14 @@ double load_transfer_ratio(const PerWheel<WheelContact>& contacts) {
   return total_n > 0.0 ? (left_n - right_n) / total_n : 0.0;
 }
 
+void raise_load_transfer(double ratio, bool of_trailer, double time_s, const Eigen::Vector2d& p_W,
+                         Peaks& peaks) {
+  if (std::abs(ratio) > std::abs(peaks.load_transfer_ratio.value)) {
+    peaks.load_transfer_of_trailer = of_trailer;
+  }
+  raise_peak(peaks.load_transfer_ratio, ratio, time_s, p_W);
+}
+
 double worst_driven_slip(const Machine& machine, const PerWheel<double>& slip) {
   double worst = 0.0;
   for (std::size_t i = 0; i < kWheels; ++i) {
@@ -172,8 +180,12 @@ void raise_peaks(Recorder& recorder, const StepReport& report, const DriverComma
   const Eigen::Vector2d p_W = place.p_WB.head<2>();
   raise_peak(peaks.slip, recorder.slip.add(worst_driven_slip(recorder.machine, report.slip)),
              time_s, p_W);
-  raise_peak(peaks.load_transfer_ratio,
-             recorder.load_transfer.add(load_transfer_ratio(report.contacts)), time_s, p_W);
+  raise_load_transfer(recorder.load_transfer.add(load_transfer_ratio(report.contacts)), false,
+                      time_s, p_W, peaks);
+  if (recorder.machine.trailer) {
+    const double ratio = recorder.trailer_load_transfer.add(report.trailer_load_transfer_ratio);
+    raise_load_transfer(ratio, true, time_s, report.trailer.p_WC.head<2>(), peaks);
+  }
   raise_peak(command.working ? peaks.cross_track_working_m : peaks.cross_track_turning_m,
              recorder.cross_track_m, time_s, p_W);
   raise_peak(peaks.battery_power_w, report.battery_w, time_s, p_W);
@@ -219,6 +231,7 @@ Recorder make_recorder(const Machine& machine, const Field& field, double rate_h
   const auto window = static_cast<std::size_t>(std::max(1L, std::lround(kSustained_s * rate_hz)));
   recorder.slip.values.assign(window, 0.0);
   recorder.load_transfer.values.assign(window, 0.0);
+  recorder.trailer_load_transfer.values.assign(window, 0.0);
   return recorder;
 }
 

@@ -41,6 +41,7 @@ struct Recorder {
   StoredEnergy stored_before{};
   SlidingMean slip{};
   SlidingMean load_transfer{};
+  SlidingMean trailer_load_transfer{};
 };
 
 Recorder make_recorder(const Machine& machine, const Field& field, double rate_hz, double record_hz,

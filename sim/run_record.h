@@ -114,14 +114,16 @@ struct Peak {
 };
 
 struct Peaks {
-  Peak slip;                     // largest mean over kSustained_s
-  Peak load_transfer_ratio;      // largest magnitude of the mean over kSustained_s
-  Peak cross_track_working_m;    // implement down
-  Peak cross_track_turning_m;    // implement up
-  Peak boundary_overrun_m;       // hull outside the boundary or in a hole, 0 when never
-  bool overrun_in_hole = false;  // the largest was in a hole
-  Peak belly_contact_m;          // hull's underside below the ground, 0 when never
-  Peak implement_overhang_m;     // implement, up or down, beyond the boundary
+  Peak slip;                 // largest mean over kSustained_s
+  Peak load_transfer_ratio;  // largest magnitude of the mean over kSustained_s, of the vehicle
+                             // or of a trailed implement
+  bool load_transfer_of_trailer = false;  // the largest was the implement's
+  Peak cross_track_working_m;             // implement down
+  Peak cross_track_turning_m;             // implement up
+  Peak boundary_overrun_m;                // hull outside the boundary or in a hole, 0 when never
+  bool overrun_in_hole = false;           // the largest was in a hole
+  Peak belly_contact_m;                   // hull's underside below the ground, 0 when never
+  Peak implement_overhang_m;              // implement, up or down, beyond the boundary
   Peak battery_power_w;
   Peak roll_rad;
   Peak pitch_rad;

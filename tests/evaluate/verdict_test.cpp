@@ -138,6 +138,9 @@ TEST(Verdict, SpeaksInSentencesWithPlaceAndTime) {
   run.record.peaks.load_transfer_ratio.time_s = 3723.0;
   EXPECT_THAT(run.judged().reasons.front().text,
               AllOf(HasSubstr("1 h 02 min"), HasSubstr("the right wheels")));
+  run.record.peaks.load_transfer_of_trailer = true;
+  EXPECT_THAT(run.judged().reasons.front().text,
+              HasSubstr("the right wheel of the trailed implement carried too little"));
   run = JudgedRun();
   run.metrics.coverage_ratio = 0.931;
   EXPECT_EQ(run.judged().reasons.front().text,

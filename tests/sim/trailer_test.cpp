@@ -140,6 +140,30 @@ TEST(Trailer, StandsWithItsWeightOnWheelsAndPin) {
   EXPECT_NEAR(trailed[0].load_n + trailed[1].load_n, own_n, 0.005 * own_n);
 }
 
+// Across a slope its weight acts at the height of its centre of mass, part of the side force is the
+// pin's: (left - right) / (left + right) = 2 slope (h - share h_pin) / (track (1 - share)), with
+// the pin's share of the weight. A run judges it where it is worse than the vehicle's own.
+TEST(Trailer, ShiftsItsLoadDownASideSlopeAndIsJudgedByIt) {
+  constexpr double kSlope = 0.15;  // up to the left
+  Vehicle vehicle = trailed_tractor();
+  vehicle.implement.com_height_m = 1.6;
+  const Trailing& trailing = *vehicle.implement.trailing;
+  const double share = trailing.com_ahead_m / trailing.drawbar_length_m;
+  const double formula = -2.0 * kSlope *
+                         (vehicle.implement.com_height_m - share * trailing.hitch_height_m) /
+                         (trailing.track_m * (1.0 - share));
+  const RunRecord run = test::run(test::straight(20.0), vehicle, test::plane(0.0, kSlope),
+                                  test::textbook_soil(0.8, 0.05));
+  ASSERT_EQ(run.outcome, Outcome::kFinished) << run.outcome_detail;
+  EXPECT_TRUE(run.peaks.load_transfer_of_trailer);
+  // The body rolls on its tyres and the steering never rests: a tenth.
+  EXPECT_NEAR(run.peaks.load_transfer_ratio.value, formula, 0.1 * std::abs(formula));
+
+  const RunRecord low = test::run(test::straight(20.0), trailed_tractor(), test::plane(0.0, kSlope),
+                                  test::textbook_soil(0.8, 0.05));
+  EXPECT_FALSE(low.peaks.load_transfer_of_trailer);
+}
+
 TEST(Trailer, ParkedOnASlopeDoesNotCreep) {
   for (const double slope : {0.2, -0.2}) {
     EXPECT_LT(test::park(trailed_tractor(), slope, 240.0).drift_mm_per_min, 0.1) << slope;
