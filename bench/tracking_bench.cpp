@@ -1,6 +1,6 @@
-// How well the vehicles keep to the path, what the ledger leaves over and what the step costs, over
-// the physics' rate: the user chooses the step knowing the price.
-// Usage: tracking_bench [--json]
+// How well every built-in vehicle keeps to the path, what the ledger leaves over and what the step
+// costs, over the physics' rate: the user chooses the step knowing the price.
+// Usage: tracking_bench [VEHICLE..] [--json]
 #include <cstdlib>
 
 #include "bench/figures.h"
@@ -16,7 +16,7 @@ struct Ground {
   Heightfield terrain;
 };
 
-void add_drive(const char* name, const Ground& ground, double rate_hz,
+void add_drive(const std::string& name, const Ground& ground, double rate_hz,
                std::vector<bench::Figure>& figures) {
   const Vehicle vehicle = load_vehicle(name);
   const Path path = test::rows_for(vehicle, 6, 60.0);
@@ -31,6 +31,9 @@ void add_drive(const char* name, const Ground& ground, double rate_hz,
     figures.push_back({fmt::format("{}, {}, {:.0f} Hz: {}", name, ground.name, rate_hz, what),
                        value, unit, target});
   };
+  double driven_m = 0.0;
+  for (const SegmentRecord& segment : run.segments) driven_m += segment.distance_m;
+  add("driven of the path", 100.0 * driven_m / length_m(path), "%", "");
   add("rows rms", 100.0 * error.rows_m, "cm", "<= 3");
   add("turns rms", 100.0 * error.turns_m, "cm", "<= 15");
   add("worst on rows", 100.0 * std::abs(run.peaks.cross_track_working_m.value), "cm", "<= 20");
@@ -41,14 +44,14 @@ void add_drive(const char* name, const Ground& ground, double rate_hz,
   add("times real time", run.duration_s / spent_s, "x", rate_hz == 240.0 ? ">= 1000" : "");
 }
 
-void add_parking(const char* name, double rate_hz, std::vector<bench::Figure>& figures) {
+void add_parking(const std::string& name, double rate_hz, std::vector<bench::Figure>& figures) {
   const test::ParkedVehicle parked = test::park(load_vehicle(name), 0.2, rate_hz);
   figures.push_back({fmt::format("{}, parked on 20 %, {:.0f} Hz: drift", name, rate_hz),
                      parked.drift_mm_per_min, "mm/min", "<= 0.1"});
 }
 
 // The same rows with what receivers and steering valves have.
-void add_imperfections(const char* name, std::vector<bench::Figure>& figures) {
+void add_imperfections(const std::string& name, std::vector<bench::Figure>& figures) {
   const Vehicle vehicle = load_vehicle(name);
   const Path path = test::rows_for(vehicle, 6, 60.0);
   const Heightfield terrain = test::hills(1.0, 30.0, 120.0);
@@ -80,7 +83,10 @@ int main(int argc, char** argv) {
                             {"hills", test::hills(1.0, 30.0, 120.0)},
                             {"20 % side slope", test::plane(0.0, 0.2)},
                             {"hills on 12 % side slope", test::hillside(0.12, 0.8, 40.0)}};
-  for (const char* name : {"transplanter", "utility_tractor"}) {
+  std::vector<std::string> vehicles(argv + 1, argv + argc);
+  std::erase(vehicles, "--json");
+  if (vehicles.empty()) vehicles = vehicle_names();
+  for (const std::string& name : vehicles) {
     for (const Ground& ground : grounds) {
       for (const double rate_hz : kRates_hz) add_drive(name, ground, rate_hz, figures);
     }

@@ -154,9 +154,11 @@ void limit_slip(const Vehicle& vehicle, const MotorLayout& layout,
   for (std::size_t i = 0; i < kWheels; ++i) {
     if (layout.motor_of[i] < 0) continue;
     const double rim_mps = wheels[i].radius_m * states[i].spin_rad_per_s;
-    const double hub_mps =
-        contacts[i].along.dot(point_velocity(chassis.v_W, chassis.omega_W, contacts[i].hub_arm));
-    const double free_mps = std::max(kFreeSlip * std::abs(hub_mps), kFreeSlipSpeed_mps);
+    const Eigen::Vector3d v_W = point_velocity(chassis.v_W, chassis.omega_W, contacts[i].hub_arm);
+    const double hub_mps = contacts[i].along.dot(v_W);
+    const double sliding_mps = std::abs(contacts[i].across.dot(v_W));
+    const double free_mps =
+        std::max({kFreeSlip * std::abs(hub_mps), kFreeSlipSpeed_mps, kScrubbingSlip * sliding_mps});
     const double slip_mps = rim_mps - hub_mps;
     const double beyond_mps = slip_mps - std::clamp(slip_mps, -free_mps, free_mps);
     wheel_torque_nm[static_cast<std::size_t>(layout.motor_of[i])] -=

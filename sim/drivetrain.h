@@ -56,9 +56,9 @@ PerMotor<double> split_torque(const Vehicle& vehicle, const MotorLayout& layout,
                               double yaw_torque_nm);
 
 // What the controllers of motors at the wheels do: a wheel whose rim is faster or slower than the
-// ground under its hub by more than kFreeSlip of the ground speed gets torque against it, in
-// proportion to what is beyond. Without it a light wheel of a motor of its own spins up. One motor
-// for all wheels is left alone.
+// ground under its hub by more than kFreeSlip of the ground speed, or kScrubbingSlip times the
+// speed at which it slides sideways, gets torque against it, in proportion to what is beyond.
+// Without it a light wheel of a motor of its own spins up. One motor for all wheels is left alone.
 void limit_slip(const Vehicle& vehicle, const MotorLayout& layout,
                 const PerWheel<WheelDefinition>& wheels, const PerWheel<WheelContact>& contacts,
                 const PerWheel<WheelState>& states, const ChassisState& chassis,
@@ -68,7 +68,10 @@ void limit_slip(const Vehicle& vehicle, const MotorLayout& layout,
 // more.
 inline constexpr double kFreeSlip = 0.15;
 inline constexpr double kFreeSlipSpeed_mps = 0.1;  // and at any speed
-inline constexpr double kSlipGain_per_s = 30.0;    // speed loop: wheel inertia times this
+// Friction acts against the sliding: a wheel dragged sideways pulls along with 1 / hypot(1, 1 / 2),
+// nine tenths of its grip, when it slips twice as fast along as it slides across.
+inline constexpr double kScrubbingSlip = 2.0;
+inline constexpr double kSlipGain_per_s = 30.0;  // speed loop: wheel inertia times this
 
 // What one step does to motors and wheels.
 struct DrivetrainCommand {

@@ -151,6 +151,12 @@ TEST(Drivetrain, HoldsSpinningWheelsBack) {
   EXPECT_EQ(torque_nm[1], 0.0);
   EXPECT_NEAR(torque_nm[2], held_nm(2, 0.1), 1e-9);
   EXPECT_NEAR(torque_nm[3], held_nm(3, -0.1), 1e-9);
+  // Dragged sideways at 0.19 m/s they may slip by twice as much.
+  chassis.v_W.y() = -0.19;
+  torque_nm.fill(0.0);
+  limit_slip(rig.vehicle, layout, rig.wheels, rig.contacts, states, chassis, torque_nm);
+  EXPECT_NEAR(torque_nm[2], held_nm(2, 0.02), 1e-9);
+  EXPECT_NEAR(torque_nm[3], held_nm(3, -0.02), 1e-9);
   rig.vehicle.drivetrain.motor_per_wheel = false;
   torque_nm.fill(7.0);
   limit_slip(rig.vehicle, motor_layout(rig.vehicle), rig.wheels, rig.contacts, states, chassis,

@@ -32,6 +32,20 @@ INSTANTIATE_TEST_SUITE_P(Vehicles, SteeringKinds,
                                          "skid_steer_robot", "utility_tractor_trailed"),
                          [](const auto& test) { return std::string(test.param); });
 
+// Slopes of up to 15 % shift the weight to and fro between the axles and take part of the grip; on
+// concrete the motors are at their limit.
+TEST(SteeringKinds, SkidSteeringKeepsToItsPathOnHills) {
+  const Vehicle vehicle = load_vehicle("skid_steer_robot");
+  const Path path = test::rows_for(vehicle, 3, 60.0);
+  for (const char* soil : {"firm", "concrete"}) {
+    const RunRecord run = test::run(path, vehicle, test::hills(0.7, 30.0), test::soil_named(soil));
+    ASSERT_EQ(run.outcome, Outcome::kFinished) << soil << ": " << run.outcome_detail;
+    const test::TrackingError tracking = test::tracking_error(path, run);
+    EXPECT_LE(tracking.rows_m, test::kRows_m) << soil;
+    EXPECT_LE(tracking.turns_m, test::kTurns_m) << soil;
+  }
+}
+
 // Turning by wheel speeds drags the wheels sideways; turning by steered wheels hardly does.
 TEST(SteeringKinds, SkidSteeringScrubsMoreThanSteeredWheels) {
   const auto scrub_share = [](const char* name) {
