@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "planner/connection.h"
+#include "planner/tight_pose.h"
 #include "planner/turns.h"
 
 namespace headland {
@@ -59,7 +60,9 @@ struct Reached {
 };
 using Queue = std::priority_queue<Reached, std::vector<Reached>, std::greater<>>;
 
-Guide guide_to(const FreeSpace& space, const Pose& from, const Pose& to) {
+// Gates of the goal are as far from it as they are; those of the start need not be found free.
+Guide guide_to(const FreeSpace& space, const Pose& from, const Pose& to,
+               const std::vector<Gate>& gates) {
   Guide guide;
   guide.origin_W = space.origin_W;
   const Vector2d size = space.cell_m * Vector2d(space.columns, space.rows);
@@ -79,6 +82,13 @@ Guide guide_to(const FreeSpace& space, const Pose& from, const Pose& to) {
   guide.distance_m[static_cast<std::size_t>(goal)] = 0.0;
   Queue open;
   open.push({0.0, goal});
+  for (const Gate& gate : gates) {
+    const int index = guide.index(gate.pose.p_W);
+    double& distance_m = guide.distance_m[static_cast<std::size_t>(index)];
+    if (gate.length_m >= distance_m) continue;
+    distance_m = gate.length_m;
+    open.push({distance_m, index});
+  }
   while (!open.empty()) {
     const Reached reached = open.top();
     open.pop();
@@ -114,6 +124,7 @@ struct Search {
   const FreeSpace& space;
   const Pose& to;
   const RouteOptions& options;
+  std::vector<Gate> gates;  // of the goal
   Guide guide;
   double step_m;
   std::vector<Node> nodes;
@@ -142,14 +153,36 @@ double to_go_m(const Search& search, const Pose& pose) {
                                 : reeds_shepp_length_m(pose, search.to, radius_m));
 }
 
-// The shortest curve to the goal, whatever is in the way.
-std::optional<Turn> closing_curve(const Search& search, const Pose& pose) {
+// The shortest curve to there, whatever is in the way.
+std::optional<Turn> curve_to(const Search& search, const Pose& pose, const Pose& to) {
   if (search.space.hull.gears == Gears::kBoth) {
-    return reeds_shepp(pose, search.to, search.options.radius_m);
+    return reeds_shepp(pose, to, search.options.radius_m);
   }
-  std::vector<Turn> found = turns(pose, search.to, search.options.radius_m, Gears::kForwardOnly);
+  std::vector<Turn> found = turns(pose, to, search.options.radius_m, Gears::kForwardOnly);
   if (found.empty()) return std::nullopt;
   return std::move(found.front());
+}
+
+// The shortest curve to the goal that fits, or the cheapest one to a gate and in from there, for
+// less than `most_m`.
+std::optional<Turn> closing_curve(const Search& search, const Pose& pose, double most_m) {
+  const double clearance_m = search.options.clearance_m;
+  const auto fitting = [&](const std::optional<Turn>& turn) {
+    return turn && turn->cost_m < most_m && fits_along(search.space, pose, turn->arcs, clearance_m);
+  };
+  std::optional<Turn> best = curve_to(search, pose, search.to);
+  if (!fitting(best)) best.reset();
+  for (const Gate& gate : search.gates) {
+    const bool forward_only = search.space.hull.gears == Gears::kForwardOnly;
+    if (gate.ahead && forward_only) continue;
+    auto turn = curve_to(search, pose, gate.pose);
+    if (!turn) continue;
+    turn->arcs.push_back({gate.length_m, 0.0, gate.ahead ? Gear::kReverse : Gear::kForward});
+    turn->cost_m = cost_m(turn->arcs);
+    if (best && turn->cost_m >= best->cost_m) continue;
+    if (fitting(turn)) best = std::move(turn);
+  }
+  return best;
 }
 
 void reach(Search& search, const Node& node) {
@@ -188,6 +221,21 @@ void expand(Search& search, int index) {
       }
       reach(search, next);
     }
+  }
+}
+
+// The start, and the gates that lead out of it: where walls are near, the first steps are straight.
+void begin_at(Search& search, const Pose& from) {
+  search.nodes.push_back({from, {}, -1, 0.0, false});
+  const double to_go = to_go_m(search, from);
+  if (to_go < std::numeric_limits<double>::max()) {
+    search.at_cell[key_of(search, search.nodes.front())] = 0;
+    search.open.push({kGreed * to_go, 0});
+  }
+  for (const Gate& gate : gates_of(search.space, from, search.options.clearance_m)) {
+    if (!gate.ahead && search.space.hull.gears == Gears::kForwardOnly) continue;
+    const Arc way{gate.length_m, 0.0, gate.ahead ? Gear::kForward : Gear::kReverse};
+    reach(search, {gate.pose, way, 0, cost_m(std::vector<Arc>{way}), false});
   }
 }
 
@@ -246,9 +294,17 @@ std::vector<Arc> merged(const std::vector<Arc>& arcs) {
 
 std::optional<std::vector<Arc>> find_route(const FreeSpace& space, const Pose& from, const Pose& to,
                                            const RouteOptions& options, int* expanded) {
-  Search search{space, to, options, guide_to(space, from, to), options.radius_m * kStepAngle_rad,
-                {},    {}, {}};
-  reach(search, {from, {}, -1, 0.0, false});
+  const std::vector<Gate> gates = gates_of(space, to, options.clearance_m);
+  Search search{space,
+                to,
+                options,
+                gates,
+                guide_to(space, from, to, gates),
+                options.radius_m * kStepAngle_rad,
+                {},
+                {},
+                {}};
+  begin_at(search, from);
   std::vector<Arc> best;
   double best_m = std::numeric_limits<double>::max();
   int count = 0;
@@ -262,9 +318,8 @@ std::optional<std::vector<Arc>> find_route(const FreeSpace& space, const Pose& f
     if (++count % kAskEvery == 0) stop_if(options.cancelled);
     const bool near = reached.cost - node.cost_m < kGreed * kNearGoal * options.radius_m;
     if (near || count % kTryEvery == 1) {
-      const auto closing = closing_curve(search, node.pose);
-      if (closing && node.cost_m + closing->cost_m < best_m &&
-          fits_along(space, node.pose, closing->arcs, options.clearance_m)) {
+      const auto closing = closing_curve(search, node.pose, best_m - node.cost_m);
+      if (closing) {
         best_m = node.cost_m + closing->cost_m;
         best = arcs_to(search, reached.index);
         best.insert(best.end(), closing->arcs.begin(), closing->arcs.end());

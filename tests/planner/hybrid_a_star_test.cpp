@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "planner/connection.h"
+#include "planner/tight_pose.h"
 #include "planner/turns.h"
 #include "tests/planner/field_shapes.h"
 #include "tests/planner/made_up_vehicle.h"
@@ -105,6 +107,30 @@ TEST(HybridAStar, ReversesOutOfADeadEnd) {
   EXPECT_EQ(out->front().gear, Gear::kReverse);
   EXPECT_GT(reverse_length_m(*out), 12.0);
   EXPECT_TRUE(find_route(scene.space, to, from, scene.options, nullptr).has_value());
+}
+
+// A bay as wide as the hull, with open ground before it: no step of the search ends straight in it.
+TEST(HybridAStar, BacksIntoABayAsWideAsTheHull) {
+  Field field;
+  const Hull hull = hull_of(made_up_vehicle(2.6, 2.0));
+  const double half_m = std::max(hull.half_width_m, hull.bar_half_width_m) + 0.005;
+  field.boundary = {{-half_m, 0.0}, {half_m, 0.0}, {half_m, 8.0}, {25.0, 8.0},
+                    {25.0, 33.0},   {-25.0, 33.0}, {-25.0, 8.0},  {-half_m, 8.0}};
+  Scene scene(field);
+  scene.options.clearance_m = 0.0;
+  scene.options.max_nodes = 2000;
+  const Pose outside{{10.3, 20.2}, 0.7};
+  const Pose bay{{0.0, 2.0}, kPi / 2.0};
+  ASSERT_TRUE(fits(scene.space, bay, 0.0));
+  ASSERT_FALSE(fits(scene.space, bay, kGateRoom_m));
+  const auto in = find_route(scene.space, outside, bay, scene.options, nullptr);
+  ASSERT_TRUE(in.has_value());
+  expect_drivable(scene, outside, bay, *in);
+  EXPECT_EQ(in->back().gear, Gear::kReverse);
+  const auto out = find_route(scene.space, bay, outside, scene.options, nullptr);
+  ASSERT_TRUE(out.has_value());
+  expect_drivable(scene, bay, outside, *out);
+  EXPECT_EQ(out->front().gear, Gear::kForward);
 }
 
 TEST(HybridAStar, SaysWhenThereIsNoWay) {
