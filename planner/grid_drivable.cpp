@@ -32,7 +32,7 @@ std::string_view hindrance_text(Hindrance hindrance) {
     case Hindrance::kTurn:
       return "the run through it was drawn back for the room its turn needs";
     case Hindrance::kNoTurn:
-      return "no turn reaches the run through it";
+      return "no turn reaches a run through it";
     case Hindrance::kNone:
       break;
   }
@@ -137,7 +137,11 @@ GridDrive make_grid_path(const Field& field, const Vehicle& vehicle, const GridM
   }
   std::vector<WorkedCell> worked(map.blocked.size());
   for (const GridRun& run : runs) add_worked(map, run, worked);
-  if (!options.allow_overrun) drive.added_passes = add_runs(joining, runs, worked);
+  if (!options.allow_overrun) {
+    const AddedRuns more = add_runs(joining, runs, worked);
+    drive.added_passes = more.added;
+    for (const GridRun& run : more.unreached) note(map, run, Hindrance::kNoTurn, hindrances);
+  }
   drive.plan = plan_of(map, plan, runs);
   std::vector<WorkLine> lines;
   lines.reserve(runs.size());

@@ -116,19 +116,21 @@ bool inserted(GridJoining& joining, const GridRun& run, std::vector<GridRun>& ru
 
 }  // namespace
 
-int add_runs(GridJoining& joining, std::vector<GridRun>& runs, std::vector<WorkedCell>& worked) {
-  int added = 0;
+AddedRuns add_runs(GridJoining& joining, std::vector<GridRun>& runs,
+                   std::vector<WorkedCell>& worked) {
+  AddedRuns result;
   std::set<RunKey> unreached;
   while (true) {
     stop_if(joining.connection.cancelled);
     const BestRun best = best_run(joining, worked, unreached);
-    if (!(best.worth > 0.0)) return added;
+    if (!(best.worth > 0.0)) return result;
     if (!inserted(joining, best.run, runs)) {
       unreached.insert(key_of(best.run));
+      result.unreached.push_back(best.run);
       continue;
     }
     add_worked(joining.map, best.run, worked);
-    ++added;
+    ++result.added;
   }
 }
 
