@@ -62,6 +62,16 @@ std::vector<ComparedRun> run_with_progress(const Comparison& comparison,
   return runs;
 }
 
+// A comparison of which no run could be planned is bad input, told by the first of the refusals.
+void refuse_where_nothing_is_planned(const CompareCommand& command,
+                                     const std::vector<ComparedRun>& runs) {
+  const bool all_refused = std::ranges::all_of(
+      runs, [](const ComparedRun& run) { return run.state == RunState::kRefused; });
+  if (!all_refused) return;
+  throw InputError(command.spec, "planners", "",
+                   "none of them can plan any of these: " + runs.front().refusal);
+}
+
 int compare(const CompareCommand& command) {
   constexpr int kMostJobs = 1024;
   if (command.jobs < 1 || command.jobs > kMostJobs) {
@@ -92,6 +102,7 @@ int compare(const CompareCommand& command) {
   require_gnuplot();
   prove_least_lengths(comparison, {command.jobs, nullptr, interrupted});
   const std::vector<ComparedRun> runs = run_with_progress(comparison, command);
+  refuse_where_nothing_is_planned(command, runs);
   const ComparisonRanks ranks = rank_planners(comparison, runs);
   nlohmann::ordered_json json = comparison_json(comparison, runs, ranks, HEADLAND_VERSION);
   const std::filesystem::path folder = command.folder;

@@ -46,12 +46,16 @@ SearchStop read_budget(const YamlSection& section, Budget& budget) {
 struct KnownPlanner {
   std::string name;
   std::span<const ParameterSpec> parameters;
+  decltype(GridPlannerEntry::check) check = nullptr;
 };
 
 template <typename Entries>
 std::vector<KnownPlanner> known_planners(const Entries& entries) {
   std::vector<KnownPlanner> known;
-  for (const auto& entry : entries) known.push_back({std::string(entry.name), entry.parameters});
+  for (const auto& entry : entries) {
+    known.push_back({std::string(entry.name), entry.parameters});
+    if constexpr (requires { entry.check; }) known.back().check = entry.check;
+  }
   return known;
 }
 
@@ -65,7 +69,7 @@ struct PlannerKind {
 PlannerKind planner_kind(const YamlSection& top) {
   const YAML::Node node = top.node;
   if (!node["fields"].IsDefined()) return {false, known_planners(grid_planners())};
-  for (const char* key : {"maps", "cost", "drive"}) {
+  for (const char* key : {"maps", "cost", "drive", "closed"}) {
     if (!node[key].IsDefined()) continue;
     throw InputError(top.source, place_of(top, key), "", "not with fields");
   }
@@ -96,6 +100,9 @@ ComparedPlanner read_compared_planner(const YamlSection& section, const PlannerK
   planner.name = *name;
   planner.label = read_word(section, "label").value_or(*name);
   planner.parameters = read_parameters(section, found->parameters);
+  if (found->check != nullptr) {
+    found->check(planner.parameters, section.source, place_of_itself(section));
+  }
   planner.stop = stop;
   if (kind.fields) {
     planner.sweeps = std::array{PartSweeps::kOwn,

@@ -245,6 +245,7 @@ PlannerChoice read_planner(const YamlSection& top) {
   choice.name = read_word(section, "name").value_or(choice.name);
   std::vector<std::string> names;
   std::span<const ParameterSpec> parameters;
+  decltype(GridPlannerEntry::check) check = nullptr;
   for (const PlannerEntry& entry : planners()) {
     names.emplace_back(entry.name);
     if (entry.name == choice.name) parameters = entry.parameters;
@@ -253,6 +254,7 @@ PlannerChoice read_planner(const YamlSection& top) {
     names.emplace_back(entry.name);
     if (entry.name != choice.name) continue;
     parameters = entry.parameters;
+    check = entry.check;
     choice.grid.emplace();
   }
   if (std::find(names.begin(), names.end(), choice.name) == names.end()) {
@@ -265,6 +267,7 @@ PlannerChoice read_planner(const YamlSection& top) {
   known.insert(known.end(), own.begin(), own.end());
   refuse_unknown_keys(section, known);
   choice.parameters = read_parameters(section, parameters);
+  if (check != nullptr) check(choice.parameters, top.source, place_of_itself(section));
   choice.cost_file = read_cost_file(section, fs::absolute(top.source).parent_path());
   if (choice.grid) {
     choice.grid = read_grid_planning(section);

@@ -26,9 +26,9 @@ std::span<const GridPlannerEntry> grid_planners() {
       "learning perturbation operator', 2025, 10.20944/preprints202504.0101.v1";
   static const std::array kPlanners{
       GridPlannerEntry{"grid_boustrophedon", kWu, plan_grid_boustrophedon, {}},
-      GridPlannerEntry{"grid_tplp", kWang, plan_grid_tplp, grid_tplp_parameters()},
-      GridPlannerEntry{"grid_iga", kWu, plan_grid_iga, grid_iga_parameters()},
-      GridPlannerEntry{"grid_ga", kWu, plan_grid_ga, grid_ga_parameters()},
+      GridPlannerEntry{"grid_tplp", kWang, plan_grid_tplp, grid_tplp_parameters(), check_grid_tplp},
+      GridPlannerEntry{"grid_iga", kWu, plan_grid_iga, grid_iga_parameters(), check_grid_genetic},
+      GridPlannerEntry{"grid_ga", kWu, plan_grid_ga, grid_ga_parameters(), check_grid_genetic},
       GridPlannerEntry{"grid_aco", "Dorigo, Maniezzo, Colorni 1996, as used by Wang et al. 2025",
                        plan_grid_aco, grid_aco_parameters()},
       GridPlannerEntry{"grid_gwo", "Mirjalili et al. 2014, as used by Wang et al. 2025",

@@ -37,6 +37,10 @@ std::string allowed_values(const ParameterSpec& spec) {
                      spec.whole ? "whole " : "", spec.min, spec.max);
 }
 
+std::string key_path(const std::string& where, std::string_view name) {
+  return where.empty() ? std::string(name) : fmt::format("{}.{}", where, name);
+}
+
 Parameters resolve_parameters(std::span<const ParameterSpec> specs, const Parameters& given,
                               const std::string& source, const std::string& where) {
   Parameters resolved;
@@ -44,7 +48,7 @@ Parameters resolve_parameters(std::span<const ParameterSpec> specs, const Parame
     resolved.emplace(std::string(spec.name), spec.default_value);
   }
   for (const auto& [name, value] : given) {
-    const std::string key = where.empty() ? name : fmt::format("{}.{}", where, name);
+    const std::string key = key_path(where, name);
     const auto spec = std::ranges::find(specs, name, &ParameterSpec::name);
     if (spec == specs.end()) {
       std::vector<std::string> names;

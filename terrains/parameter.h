@@ -38,6 +38,9 @@ std::string allowed_values(const ParameterSpec& spec);
 Parameters resolve_parameters(std::span<const ParameterSpec> specs, const Parameters& given,
                               const std::string& source, const std::string& where);
 
+// "where.name"; "name" where `where` is empty.
+std::string key_path(const std::string& where, std::string_view name);
+
 // The value of a resolved parameter. Asserts that it exists and has the type; where a spec allows
 // both, number_unless_word gives nothing for a word.
 double number(const Parameters& parameters, const std::string& name);

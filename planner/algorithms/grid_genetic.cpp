@@ -185,10 +185,7 @@ GridPlan planned(const GridPlanRequest& request, const std::string& name, bool i
   const Parameters& parameters = request.parameters;
   const int size = static_cast<int>(number(parameters, "population"));
   const int elites = static_cast<int>(number(parameters, "elites"));
-  if (elites > size) {
-    throw InputError(kGridPlanSource, "elites", fmt::format("{}", elites),
-                     fmt::format("at most {}, the population", size));
-  }
+  check_grid_genetic(parameters, kGridPlanSource, "");
   DistanceTable table;
   if (in_pairs) table = distance_table(problem.graph, kGridPlanSource, request.cancelled);
   SeededRandom random(request.seed);
@@ -249,6 +246,15 @@ std::span<const ParameterSpec> grid_ga_parameters() {
       kPopulation, kElites, kCrossover, kMutation,
       ParameterSpec{"jump_cost", 1.0, 0.0, 1000.0, {}, "cost of a move that is no step"}};
   return kSpecs;
+}
+
+void check_grid_genetic(const Parameters& parameters, const std::string& source,
+                        const std::string& where) {
+  const double size = number(parameters, "population");
+  const double elites = number(parameters, "elites");
+  if (elites <= size) return;
+  throw InputError(source, key_path(where, "elites"), fmt::format("{}", elites),
+                   fmt::format("at most {}, the population", size));
 }
 
 GridPlan plan_grid_iga(const GridPlanRequest& request) {

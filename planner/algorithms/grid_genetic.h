@@ -10,6 +10,10 @@ namespace headland {
 std::span<const ParameterSpec> grid_iga_parameters();
 std::span<const ParameterSpec> grid_ga_parameters();
 
+// Of both: throws InputError(source, "where.elites", ...) for more elites than individuals.
+void check_grid_genetic(const Parameters& parameters, const std::string& source,
+                        const std::string& where);
+
 // Wu et al. 2023 (10.20944/preprints202305.1306.v1), section 2.2.
 // - A chromosome X is an order of all cells, its partner Y the path adjusted() from it (2.2.1).
 //   Fitness is taken from Y (Eq 1, fitness_of), evolution works on X.

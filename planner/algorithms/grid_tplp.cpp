@@ -31,10 +31,7 @@ std::array<double, 2> ends_of_groups(const Parameters& parameters) {
   const double pop2 = number(parameters, "share_2");
   const double pop3 = number(parameters, "share_3");
   const double sum = pop2 + pop3 + number(parameters, "share_4");
-  if (!(sum > 0.0)) {
-    throw InputError(kGridPlanSource, "share_2", "0",
-                     "more than 0, or share_3 or share_4 is: all are zero");
-  }
+  check_grid_tplp(parameters, kGridPlanSource, "");
   return {pop2 / sum, (pop2 + pop3) / sum};
 }
 
@@ -84,6 +81,15 @@ std::span<const ParameterSpec> grid_tplp_parameters() {
                     "which changes are kept, and at which places they are tried"},
   };
   return kSpecs;
+}
+
+void check_grid_tplp(const Parameters& parameters, const std::string& source,
+                     const std::string& where) {
+  for (const char* share : {"share_2", "share_3", "share_4"}) {
+    if (number(parameters, share) > 0.0) return;
+  }
+  throw InputError(source, key_path(where, "share_2"), "0",
+                   "more than 0, or share_3 or share_4 is: all are zero");
 }
 
 Improve learning_perturbation(const Parameters& parameters) {

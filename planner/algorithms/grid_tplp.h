@@ -9,6 +9,10 @@ namespace headland {
 
 std::span<const ParameterSpec> grid_tplp_parameters();
 
+// Throws InputError(source, "where.share_2", ...) for shares that are all zero.
+void check_grid_tplp(const Parameters& parameters, const std::string& source,
+                     const std::string& where);
+
 // Wang et al. 2025 (10.20944/preprints202504.0101.v1), sections 4.1 to 4.3.
 // - Individuals are orders of all cells; their path is expanded(). They begin as greedy_order().
 // - Each iteration sorts best first. The best (POP1) is perturbed strongly (two cells change

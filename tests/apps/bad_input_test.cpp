@@ -25,6 +25,7 @@ const std::string kEvaluate = "evaluate bad.yaml -o DIR";
 const std::string kTrack = "drive tiny.yaml --path other.csv -o DIR";
 const std::string kCompare = "compare bad.yaml -o DIR";
 const std::string kComparedMap = "maps: [{generator: {columns: 6, rows: 5}}]\n";
+const std::string kDrawnMap = "maps: [{file: other.csv}]\nplanners: [{name: grid_tplp}]\n";
 const std::string kOnEarth =
     "field: {crs: 'EPSG:4326', boundary: [[9.0, 48.0], [9.001, 48.0], [9.001, 48.0006]]}\n"
     "vehicle: transplanter\nterrain: {file: other.csv}\n";
@@ -170,6 +171,46 @@ const BadInput kBadInputs[] = {
      kComparedMap + "planners: [{name: grid_tplp}]\n", "", "tiny.yaml is not a folder"},
     {"CompareNoJobs", kCompare + " --jobs 0", kComparedMap + "planners: [{name: grid_tplp}]\n", "",
      "--jobs: '0': a whole number from 1 to 1024"},
+    {"CompareStrangeCharacter", kCompare, kDrawnMap, "....\n.#x.\n",
+     "other.csv: line 2, column 3: 'x': '.' for a free cell or '#' for a blocked one"},
+    {"CompareRaggedRows", kCompare, kDrawnMap, "....\n...\n",
+     "other.csv: line 2: '3 cells': 4 cells, as on line 1"},
+    {"CompareNoFreeCell", kCompare, kDrawnMap, "##\n##\n", "map: there is no free cell"},
+    {"CompareDisconnectedMap", kCompare, kDrawnMap, "..#.\n..#.\n",
+     "bad.yaml: line 1: maps 'other': map: '2 of 6 free cells': cannot be reached from the rest"},
+    {"CompareStartOnAnObstacle", kCompare, "start: [1, 0]\n" + kDrawnMap, "...\n.#.\n",
+     "bad.yaml: line 2: maps 'other': start: '1, 0': a free cell; this one is blocked"},
+    {"CompareHeightsOfAnotherSize", kCompare,
+     "maps: [{generator: {columns: 6, rows: 5}, heights: other.csv}]\n"
+     "planners: [{name: grid_tplp}]\n",
+     "0 0 0\n", "other.csv: line 1: '3 heights': 6 heights, one for each column of the map"},
+    {"CompareNegativeWeight", kCompare,
+     kComparedMap + "planners: [{name: grid_tplp}]\ncost: {objective: weighted, turn: -1}\n", "",
+     "bad.yaml: line 3: cost.turn: '-1': a number from 0 to 1000000 is needed"},
+    {"CompareWeightsOfNothing", kCompare,
+     kComparedMap + "planners: [{name: grid_tplp}]\n"
+                    "cost: {objective: weighted, repeat: 0, turn: 0, u_turn: 0}\n",
+     "", "all are zero"},
+    {"ComparePopulationOfOne", kCompare,
+     kComparedMap + "planners: [{name: grid_tplp, population: 1}]\n", "",
+     "bad.yaml: line 2: planners.population: '1': a whole number from 2 to 1000"},
+    {"CompareNoIterations", kCompare,
+     kComparedMap + "planners: [{name: grid_tplp}]\nstop: {iterations: 0}\n", "",
+     "bad.yaml: line 3: stop.iterations: '0': a whole number from 1 to 2147483647 is needed"},
+    {"CompareMoreElitesThanIndividuals", kCompare,
+     kComparedMap + "planners: [{name: grid_iga, population: 10, elites: 20}]\n", "",
+     "bad.yaml: line 2: planners.elites: '20': at most 10, the population"},
+    {"PlanWithMoreElitesThanIndividuals", "plan bad.yaml -o DIR",
+     kTinyField + "vehicle: transplanter\nplanner: {name: grid_ga, population: 5, elites: 6}\n", "",
+     "planner.elites: '6': at most 5, the population"},
+    {"CompareSharesOfNothing", kCompare,
+     kComparedMap + "planners: [{name: grid_tplp, share_2: 0, share_3: 0, share_4: 0}]\n", "",
+     "bad.yaml: line 2: planners.share_2: '0': more than 0, or share_3 or share_4 is"},
+    {"CompareMapTooLargeForAllPlanners", kCompare,
+     "maps: [{generator: {columns: 200, rows: 200}}]\nplanners: [{name: grid_tplp}]\n", "",
+     "bad.yaml: planners: none of them can plan any of these: grid plan: map: '35800 free cells': "
+     "at most 20000 for this planner, which needs the distances between all of them; "
+     "grid_boustrophedon and grid_local_search take more"},
     {"CompareDriveWithoutVehicle", kCompare + " --drive",
      kComparedMap + "planners: [{name: grid_tplp}]\n", "",
      "bad.yaml: drive: the section is missing: --drive needs at least drive.vehicle"},
