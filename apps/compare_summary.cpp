@@ -145,7 +145,8 @@ std::string field_line(const ComparedMap& field) {
 std::string map_line(const ComparedMap& map) {
   return fmt::format("{}: {} x {} cells of {:g} m, {} free, start {}, end {}",
                      terminal_text(map.name), map.map.columns, map.map.rows, map.map.cell_m,
-                     free_cell_count(map.map), cells_text(map.start), cells_text(map.end));
+                     free_cell_count(map.map), cells_text(map.start),
+                     map.closed ? "where it begins" : cells_text(map.end));
 }
 
 std::string map_table(const Comparison& comparison, int m, const std::vector<ComparedRun>& runs) {

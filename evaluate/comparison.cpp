@@ -35,6 +35,7 @@ GridPlanRequest request_of(const Comparison& comparison, const ComparedRun& run,
   request.map = map.map;
   request.start = map.start;
   request.end = map.end;
+  request.closed = map.closed;
   request.cost = comparison.cost;
   request.stop = planner.stop;
   request.parameters = planner.parameters;

@@ -27,6 +27,7 @@ struct ComparedMap {
   GridMap map;
   std::optional<GridCell> start;  // none: the planner chooses
   std::optional<GridCell> end;
+  bool closed = false;             // ends where it begins
   std::optional<Field> field;      // the map was made of, its free cells to be worked
   std::vector<std::string> notes;  // what of the field is left out
 };

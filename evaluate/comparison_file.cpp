@@ -122,7 +122,8 @@ Json asked_json(const Comparison& comparison) {
                             {"cell_m", map.map.cell_m},
                             {"free_cells", free_cell_count(map.map)},
                             {"start", map.start ? cell_json(*map.start) : Json("free")},
-                            {"end", map.end ? cell_json(*map.end) : Json("free")}});
+                            {"end", map.end ? cell_json(*map.end) : Json("free")},
+                            {"closed", map.closed}});
   }
   if (comparison.drive) {
     const Scenario& drive = *comparison.drive;

@@ -9,11 +9,14 @@
 #include <utility>
 
 #include "evaluate/scenario_grid.h"
+#include "evaluate/scenario_parts.h"
 #include "planner/grid_graph.h"
 #include "terrains/field_source.h"
+#include "terrains/grid_field.h"
 #include "terrains/grid_map_file.h"
 #include "terrains/grid_map_generator.h"
 #include "terrains/input_error.h"
+#include "terrains/terrain_source.h"
 
 namespace headland {
 namespace {
@@ -21,8 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> kSourceKeys = {"file", "cells", "generator", "field"};
-const std::vector<std::string> kMapKeys = {"name",  "file",   "cells",   "generator", "field",
-                                           "count", "cell_m", "heights", "start",     "end"};
+const std::vector<std::string> kMapKeys = {"name",    "file",  "cells",  "generator",
+                                           "field",   "count", "cell_m", "heights",
+                                           "terrain", "start", "end",    "closed"};
 const std::vector<std::string> kGeneratorKeys = {"columns", "rows", "blocked_share", "obstacles",
                                                  "seed"};
 const std::vector<std::string> kFieldKeys = {"file", "layer",   "part",
@@ -47,6 +51,7 @@ void set_ends(const YamlSection& section, const MapDefaults& defaults, ComparedM
   const auto own_end = read_corner(section, "end");
   map.start = cell_of(own_start ? own_start : defaults.start, map.map);
   map.end = cell_of(own_end ? own_end : defaults.end, map.map);
+  map.closed = read_flag(section, "closed").value_or(defaults.closed);
   const std::string whose = fmt::format("{} '{}'", place_of_itself(section), map.name);
   const GridGraph graph = grid_graph(map.map, section.source + ": " + whose);
   const auto check = [&](const std::optional<GridCell>& cell, const char* key) {
@@ -54,11 +59,33 @@ void set_ends(const YamlSection& section, const MapDefaults& defaults, ComparedM
   };
   check(map.start, "start");
   check(map.end, "end");
-  if (map.start && map.start == map.end && graph.size() > 1) {
+  if (map.closed ? map.end && map.end != map.start
+                 : map.start && map.start == map.end && graph.size() > 1) {
     throw InputError(section.source, whose + ": end",
                      fmt::format("{}, {}", map.end->column, map.end->row),
-                     "another cell than the start");
+                     map.closed ? "none, or the start: the tour is closed"
+                                : "another cell than the start, or `closed: true`");
   }
+}
+
+// Heights of the cells' middles: a text of them, or the surface of a terrain as of a scenario.
+void take_heights(const YamlSection& section, const fs::path& folder, std::uint64_t seed,
+                  ComparedMap& map) {
+  const fs::path heights = read_file_name(section, "heights", folder);
+  if (!heights.empty()) read_cell_heights(heights, map.map);
+  if (!has_key(section, "terrain")) return;
+  if (!heights.empty()) {
+    throw InputError(section.source, place_of(section, "terrain"), "",
+                     "either heights or terrain, not both");
+  }
+  Scenario ground;
+  ground.seed = seed;
+  read_terrain_source({section.source, "", section.node}, folder, ground);
+  const std::string whose =
+      fmt::format("{}: {} '{}'", section.source, place_of(section, "terrain"), map.name);
+  set_heights(map.map,
+              read_terrain(ground.terrain,
+                           map.field ? *map.field : field_of_grid(map.map, 0.0, whose), whose));
 }
 
 std::vector<ComparedMap> made_up_maps(const YamlSection& entry, const YamlSection& section,
@@ -142,10 +169,9 @@ std::vector<ComparedMap> read_compared_maps(const YamlSection& section, const Ma
   }
   const fs::path folder = fs::absolute(section.source).parent_path();
   std::vector<ComparedMap> maps = maps_of(section, folder, defaults.cell_m, seed);
-  const fs::path heights = read_file_name(section, "heights", folder);
   for (ComparedMap& map : maps) {
-    if (!heights.empty()) read_cell_heights(heights, map.map);
     set_ends(section, defaults, map);
+    take_heights(section, folder, seed, map);
   }
   return maps;
 }

@@ -18,6 +18,7 @@ struct MapDefaults {
   std::optional<GivenCell> start;
   std::optional<GivenCell> end;
   double cell_m = 1.0;
+  bool closed = false;
 };
 
 // The maps that one entry of the list `maps` names: one, or `count` of a generator. Names of files

@@ -21,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kTopKeys = {"name", "seed",   "repeats", "start",    "end",
-                                           "maps", "fields", "parts",   "planners", "cost",
-                                           "stop", "budget", "tests",   "drive"};
+const std::vector<std::string> kTopKeys = {"name",   "seed", "repeats", "start", "end",
+                                           "closed", "maps", "fields",  "parts", "planners",
+                                           "cost",   "stop", "budget",  "tests", "drive"};
 const std::vector<std::string> kCostKeys = {"file", "objective", "repeat",
                                             "turn", "u_turn",    "tractor"};
 const std::vector<std::string> kTestKeys = {"figure", "blocks", "control", "alpha"};
@@ -47,7 +47,8 @@ std::vector<std::string> tractor_keys() {
 
 void read_maps(const YamlSection& top, Comparison& comparison) {
   const MapDefaults defaults{read_corner(top, "start"), read_corner(top, "end"),
-                             comparison.drive ? comparison.drive->working_width_m : 1.0};
+                             comparison.drive ? comparison.drive->working_width_m : 1.0,
+                             read_flag(top, "closed").value_or(false)};
   std::vector<std::string> names;
   for (const YamlSection& section :
        read_sections(top, "maps").value_or(std::vector<YamlSection>{})) {

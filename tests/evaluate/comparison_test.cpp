@@ -335,6 +335,36 @@ TEST_F(ComparisonFile, ReadsWhatItSays) {
   EXPECT_EQ(read_comparison(path("compare.yaml"), 8).seed, 8U);
 }
 
+TEST_F(ComparisonFile, TakesHeightsFromATerrainAndClosedTours) {
+  const Comparison comparison = read(
+      "closed: true\n"
+      "maps:\n  - {name: hill, generator: {columns: 6, rows: 5}, cell_m: 3,\n"
+      "     terrain: {generator: ramp, slope_percent: 10}}\n"
+      "  - {name: way, closed: false, start: [0, 0], end: [5, 4],\n"
+      "     generator: {columns: 6, rows: 5}}\n" +
+      kTwoPlanners);
+  const GridMap& hill = comparison.maps[0].map;
+  ASSERT_EQ(hill.height_m.size(), hill.blocked.size());
+  // A plane: any two neighbours of a row differ alike, those of a column too.
+  const double rise_m = hill.height_m[1] - hill.height_m[0];
+  const double across_m = hill.height_m[6] - hill.height_m[0];
+  EXPECT_NEAR(std::hypot(rise_m, across_m), 0.1 * 3.0, 1e-6);
+  EXPECT_NEAR(hill.height_m[5] - hill.height_m[0], 5.0 * rise_m, 1e-6);
+  EXPECT_TRUE(comparison.maps[0].closed);
+  EXPECT_FALSE(comparison.maps[1].closed);
+  for (const ComparedRun& run : run_comparison(comparison, {})) {
+    const auto& cells = run.plan.cells;
+    ASSERT_EQ(run.state, RunState::kPlanned) << run.refusal;
+    EXPECT_EQ(cells.front() == cells.back(),
+              comparison.maps[static_cast<std::size_t>(run.map)].closed);
+  }
+  EXPECT_THAT(
+      refused("maps: [{generator: {}, closed: true, start: [0, 0], end: [1, 0]}]\n" + kTwoPlanners),
+      HasSubstr("end: '1, 0': none, or the start: the tour is closed"));
+  EXPECT_THAT(refused("maps: [{generator: {}, terrain: {generator: rampe}}]\n" + kTwoPlanners),
+              HasSubstr("line 1: terrain.generator: 'rampe': unknown generator; did you mean"));
+}
+
 TEST_F(ComparisonFile, RefusesWhatItCannotCompare) {
   written("map.txt", "..#\n...\n");
   written("parted.txt", ".#.\n.#.\n");
