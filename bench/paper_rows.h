@@ -1,6 +1,7 @@
 // What two papers print of grid planners, and how to ask ours for the same.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,11 +12,21 @@
 namespace headland::bench {
 
 // Of a plan: what a column of a table holds.
-enum class Quantity { kSteps, kFitness, kRepeats_m2, kTurns, kUTurns };
+enum class Quantity {
+  kSteps,
+  kRepeatRate,   // percent; Crr of Wang et al.
+  kConvergence,  // iteration of the last improvement
+  kFitness,
+  kRepeats_m2,
+  kTurns,
+  kUTurns
+};
+
+inline constexpr double kNotPrinted = std::numeric_limits<double>::quiet_NaN();
 
 struct Printed {
   Quantity quantity = Quantity::kSteps;
-  double mean = 0.0;
+  double mean = kNotPrinted;
   double deviation = -1.0;  // less than 0: not printed
 };
 

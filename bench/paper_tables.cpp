@@ -3,6 +3,7 @@
 // `paper_tables [RUNS] [--json] [--only TEXT] [--free-end]`: RUNS seeds a row (3 unless told), rows
 // whose table or name has TEXT; Wang et al. from the north-west corner to the south-east one, or to
 // any. Everything with 3 runs takes about ten minutes on one core, half of it ant colonies.
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/figures.h"
+#include "bench/paper_lines.h"
 #include "bench/paper_rows.h"
 #include "planner/algorithms/grid_ant_colony.h"
 #include "planner/algorithms/grid_student_psychology.h"
@@ -34,61 +35,22 @@ struct Asked {
   bool json = false;
 };
 
-// One column of one row, ours and theirs.
-struct Line {
-  std::string table;
-  std::string name;
-  Quantity quantity = Quantity::kSteps;
-  std::vector<double> values;  // by run
-  double seconds = 0.0;        // of processor time a run
-  double printed_mean = -1.0;
-  double printed_deviation = -1.0;
-};
-
 // Wu et al., Table 2: what IGA saves.
+constexpr std::string_view kTable1 = "001 Table 1";
 constexpr std::string_view kReductions = "001 Table 2";
 
 bool is_asked(const Asked& asked, std::string_view table, const std::string& name) {
   return (std::string(table) + " " + name).find(asked.only) != std::string::npos;
 }
 
-double mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-// Of a sample; 0 of a single value.
-double deviation(const std::vector<double>& values) {
-  if (values.size() < 2) return 0.0;
-  double squares = 0.0;
-  for (const double value : values) squares += (value - mean(values)) * (value - mean(values));
-  return std::sqrt(squares / (static_cast<double>(values.size()) - 1.0));
-}
-
-double best(const Line& line) {
-  const bool most = line.quantity == Quantity::kFitness || line.table == kReductions;
-  return most ? *std::ranges::max_element(line.values) : *std::ranges::min_element(line.values);
-}
-
-std::string_view unit_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::kSteps:
-      return "steps";
-    case Quantity::kFitness:
-      return "fitness";
-    case Quantity::kRepeats_m2:
-      return "m2 again";
-    case Quantity::kTurns:
-      return "turns";
-    case Quantity::kUTurns:
-      break;
-  }
-  return "U-turns";
-}
-
 double value_of(const GridPlan& plan, Quantity quantity, double cell_m) {
   switch (quantity) {
     case Quantity::kSteps:
       return plan.counts.steps;
+    case Quantity::kRepeatRate:
+      return 100.0 * repeat_rate(plan);
+    case Quantity::kConvergence:
+      return plan.convergence.back().iteration;
     case Quantity::kFitness:
       return plan.fitness;
     case Quantity::kRepeats_m2:
@@ -127,7 +89,7 @@ GridPlanRequest request_for(const PaperRow& row, const Asked& asked) {
   request.parameters = resolve_parameters(find_grid_planner(row.planner, "paper_tables").parameters,
                                           row.parameters, "paper_tables", "");
   // Wu et al., 3.1 and 3.2.
-  if (row.table == "001 Table 1") request.stop = {5000, 0, 0.0, 500};
+  if (row.table == kTable1) request.stop = {5000, 0, 0.0, 500};
   if (row.table == "001 Figure 15") request.stop = {1000, 0, 0.0, 0};
   if (row.planner == "grid_local_search") request.stop.iterations = 50;
   return request;
@@ -135,17 +97,18 @@ GridPlanRequest request_for(const PaperRow& row, const Asked& asked) {
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-std::vector<Line> measured_row(const PaperRow& row, const Asked& asked) {
+std::vector<Line> begun_lines(std::string_view table, const std::string& name,
+                              const std::vector<Printed>& printed) {
   std::vector<Line> lines;
-  for (const Printed& printed : row.printed) {
-    lines.push_back({std::string(row.table),
-                     row.name,
-                     printed.quantity,
-                     {},
-                     0.0,
-                     printed.mean,
-                     printed.deviation});
+  for (const Printed& one : printed) {
+    lines.push_back(
+        {std::string(table), name, one.quantity, {}, 0.0, one.mean, one.deviation, false});
   }
+  return lines;
+}
+
+std::vector<Line> measured_row(const PaperRow& row, const Asked& asked) {
+  std::vector<Line> lines = begun_lines(row.table, row.name, row.printed);
   GridPlanRequest request = request_for(row, asked);
   const double begun = processor_seconds();
   for (int run = 0; run < asked.runs; ++run) {
@@ -163,8 +126,8 @@ std::vector<Line> measured_row(const PaperRow& row, const Asked& asked) {
 struct PartRow {
   std::string_view table;
   std::string name;
-  double printed_mean;
-  double printed_deviation;
+  Printed length;
+  Printed repeat_rate;
   std::function<double(OrderTask&)> part;
 };
 
@@ -199,26 +162,44 @@ double evolved_from_ants(OrderTask& task, const Improve& improve) {
 
 std::vector<PartRow> part_rows() {
   return {
-      {"000 Table 2", "random orders", 4606.7, 54.935,
+      {"000 Table 2",
+       "random orders",
+       {Quantity::kSteps, 4606.7, 54.935},
+       {Quantity::kRepeatRate, 47.54, 3.6},
        [](OrderTask& task) {
          return shortest_of(task, [&] { return random_order(task.problem, task.random); });
        }},
-      {"000 Table 2", "first ants", 529.5, 14.795,
+      {"000 Table 2",
+       "first ants",
+       {Quantity::kSteps, 529.5, 14.795},
+       {Quantity::kRepeatRate, 37.57, 2.3},
        [](OrderTask& task) { return shortest(task, first_ants(task, defaults_of("grid_aco"))); }},
-      {"000 Table 2", "greedy orders", 418.6, 7.950,
+      {"000 Table 2",
+       "greedy orders",
+       {Quantity::kSteps, 418.6, 7.950},
+       {Quantity::kRepeatRate, 9.99, 0.8},
        [](OrderTask& task) {
          return shortest_of(
              task, [&] { return greedy_order(task.problem, task.table, 1.0, 5.0, task.random); });
        }},
-      {"000 Table 3", "ants", 451.2, 4.467,
+      {"000 Table 3",
+       "ants",
+       {Quantity::kSteps, 451.2, 4.467},
+       {Quantity::kRepeatRate, 22.99, 1.7},
        [](OrderTask& task) {
          const Parameters parameters = defaults_of("grid_aco");
          const auto first = first_ants(task, parameters);
          return full_cost(task.cost, best_of_ants(task, parameters, first));
        }},
-      {"000 Table 3", "student psychology", 441.8, 7.194,
+      {"000 Table 3",
+       "student psychology",
+       {Quantity::kSteps, 441.8, 7.194},
+       {Quantity::kRepeatRate, 22.04, 2.1},
        [](OrderTask& task) { return evolved_from_ants(task, student_psychology()); }},
-      {"000 Table 3", "learning perturbation", 395.3, 4.219,
+      {"000 Table 3",
+       "learning perturbation",
+       {Quantity::kSteps, 395.3, 4.219},
+       {Quantity::kRepeatRate, 10.60, 1.1},
        [](OrderTask& task) {
          return evolved_from_ants(task, learning_perturbation(defaults_of("grid_tplp")));
        }},
@@ -227,9 +208,9 @@ std::vector<PartRow> part_rows() {
 
 constexpr int kPartIterations = 100;  // Wang et al., 5.2.2
 
-Line measured_part(const PartRow& row, const Asked& asked) {
-  Line line{std::string(row.table), row.name, Quantity::kSteps, {}, 0.0, row.printed_mean,
-            row.printed_deviation};
+// Lengths, and the repeat rates that follow from them: repeats are the steps above the least.
+std::vector<Line> measured_part(const PartRow& row, const Asked& asked) {
+  std::vector<Line> lines = begun_lines(row.table, row.name, {row.length, row.repeat_rate});
   const PaperRow like{row.table, row.name, "env_I", "grid_tplp", {}, GridObjective::kLength, {}};
   GridPlanRequest request = request_for(like, asked);
   request.stop.iterations = kPartIterations;
@@ -237,10 +218,13 @@ Line measured_part(const PartRow& row, const Asked& asked) {
   for (int run = 0; run < asked.runs; ++run) {
     request.seed = static_cast<std::uint64_t>(run + 1);
     OrderTask task(request);
-    line.values.push_back(row.part(task));
+    const double steps = row.part(task);
+    const double cells = task.problem.graph.size();
+    lines[0].values.push_back(steps);
+    lines[1].values.push_back(100.0 * (steps - cells + 1.0) / cells);
   }
-  line.seconds = (processor_seconds() - begun) / asked.runs;
-  return line;
+  for (Line& line : lines) line.seconds = (processor_seconds() - begun) / asked.runs;
+  return lines;
 }
 
 // Wu et al., Table 2: by how much IGA's means are below boustrophedon's.
@@ -255,6 +239,7 @@ std::vector<Line> reductions(const std::vector<Line>& table_1) {
     if (rows == table_1.end() || !iga.name.ends_with("grid_iga")) continue;
     Line line = iga;
     line.table = kReductions;
+    line.more_is_better = true;
     line.name = iga.name.substr(0, space) + " less by IGA";
     for (double& value : line.values) value = rows->values.front() - value;
     line.printed_mean = rows->printed_mean - iga.printed_mean;
@@ -263,41 +248,14 @@ std::vector<Line> reductions(const std::vector<Line>& table_1) {
   return lines;
 }
 
-bool is_printed(const Line& line) {
-  return line.printed_mean > 0.0 || line.table.starts_with("001");
-}
-
-void print_line(const Line& line) {
-  std::string printed = is_printed(line) ? fmt::format("{:.6g}", line.printed_mean) : "-";
-  if (line.printed_deviation >= 0.0) printed += fmt::format(" +- {:.3g}", line.printed_deviation);
-  fmt::print("  {:<30} {:<8} {:>10.5g} +- {:<9.3g} best {:<9.5g} {:>8.3f} s   printed {}\n",
-             line.name, unit_of(line.quantity), mean(line.values), deviation(line.values),
-             best(line), line.seconds, printed);
-}
-
-nlohmann::ordered_json json_of(const Line& line, std::string_view why) {
-  nlohmann::ordered_json json = {{"table", line.table},
-                                 {"name", line.name},
-                                 {"unit", unit_of(line.quantity)},
-                                 {"runs", line.values.size()},
-                                 {"mean", mean(line.values)},
-                                 {"deviation", deviation(line.values)},
-                                 {"best", best(line)},
-                                 {"processor_s", line.seconds}};
-  json["printed_mean"] = is_printed(line) ? nlohmann::ordered_json(line.printed_mean) : nullptr;
-  json["printed_deviation"] =
-      line.printed_deviation >= 0.0 ? nlohmann::ordered_json(line.printed_deviation) : nullptr;
-  json["why_they_differ"] = why;
-  return json;
-}
-
 std::vector<Line> measured_table(std::string_view table, const Asked& asked,
                                  const std::vector<Line>& before) {
   if (table == kReductions) return reductions(before);
   std::vector<Line> lines;
   for (const PartRow& row : part_rows()) {
     if (row.table == table && is_asked(asked, table, row.name)) {
-      lines.push_back(measured_part(row, asked));
+      const std::vector<Line> more = measured_part(row, asked);
+      lines.insert(lines.end(), more.begin(), more.end());
     }
   }
   for (const auto& rows : {wang_rows(), wu_rows()}) {
@@ -306,6 +264,10 @@ std::vector<Line> measured_table(std::string_view table, const Asked& asked,
       const std::vector<Line> more = measured_row(row, asked);
       lines.insert(lines.end(), more.begin(), more.end());
     }
+  }
+  if (table == kTable1) {
+    const std::vector<Line> more = averages(lines);
+    lines.insert(lines.end(), more.begin(), more.end());
   }
   return lines;
 }
