@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "evaluate/missed_patches.h"
+#include "evaluate/ground_patches.h"
 #include "evaluate/path_check.h"
 #include "planner/free_space.h"
 #include "terrains/input_error.h"
@@ -258,6 +258,7 @@ Audit audit_path(const Field& field, const Vehicle& vehicle, const std::vector<P
                                   vehicle.implement.working_width_m, coverage_cell_m);
   audit.coverage = coverage_figures(audit.raster);
   audit.missed = missed_patches(audit.raster, kLeastPatch_m2);
+  audit.overlapped = overlapped_patches(audit.raster, kLeastPatch_m2);
   return audit;
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "evaluate/coverage.h"
-#include "evaluate/missed_patches.h"
+#include "evaluate/ground_patches.h"
 #include "terrains/field.h"
 #include "terrains/track.h"
 #include "vehicle_models/vehicle.h"
@@ -54,8 +54,10 @@ struct Audit {
   std::array<AuditTotals, kEveryAuditFault.size()> totals;  // by AuditFault
   std::vector<AuditPlace> places;                           // in the path's order
   CoverageRaster raster;
-  CoverageFigures coverage;         // of the path as drawn
-  std::vector<MissedPatch> missed;  // of at least kLeastPatch_m2, largest first
+  CoverageFigures coverage;  // of the path as drawn
+  // Of at least kLeastPatch_m2, largest first.
+  std::vector<GroundPatch> missed;
+  std::vector<GroundPatch> overlapped;
 };
 
 // The hull stands at states kPathSpacing_m apart or nearer, B's origin on the line and its heading

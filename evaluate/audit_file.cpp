@@ -97,12 +97,15 @@ Json audit_json(const Audit& audit, const Field& field, const Vehicle& vehicle,
   json["coverage"] = {{"workable_m2", coverage.workable_m2}, {"covered_m2", coverage.covered_m2},
                       {"missed_m2", coverage.missed_m2},     {"overlap_m2", coverage.overlap_m2},
                       {"outside_m2", coverage.outside_m2},   {"cell_m", audit.raster.cell_m}};
-  json["missed"] = Json::array();
-  for (const MissedPatch& patch : audit.missed) {
-    Json entry;
-    add_place(entry, field.frame, patch.p_W);
-    entry["area_m2"] = patch.area_m2;
-    json["missed"].push_back(entry);
+  for (const auto& [key, patches] :
+       {std::pair("missed", &audit.missed), std::pair("overlapped", &audit.overlapped)}) {
+    json[key] = Json::array();
+    for (const GroundPatch& patch : *patches) {
+      Json entry;
+      add_place(entry, field.frame, patch.p_W);
+      entry["area_m2"] = patch.area_m2;
+      json[key].push_back(entry);
+    }
   }
   return json;
 }
@@ -124,7 +127,7 @@ Verdict audit_verdict(const Audit& audit) {
                                  audit_place_text(place)});
     }
   }
-  for (const MissedPatch& patch : audit.missed) {
+  for (const GroundPatch& patch : audit.missed) {
     if (&patch - audit.missed.data() >= static_cast<std::ptrdiff_t>(kShownPerFault)) break;
     verdict.reasons.push_back({Grade::kWarn, "missed", patch.area_m2, 0.0, patch.p_W, std::nullopt,
                                fmt::format("Missed, {:.0f} m²", patch.area_m2),

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "evaluate/geojson.h"
+#include "evaluate/ground_patches.h"
 #include "evaluate/metrics.h"
-#include "evaluate/missed_patches.h"
 #include "evaluate/report_assumptions.h"
 #include "evaluate/report_movements.h"
 #include "evaluate/report_series.h"
@@ -152,7 +152,7 @@ Json patches_json(const CoverageRaster& coverage) {
   constexpr double kLeast_m2 = 0.5;
   constexpr std::size_t kMost = 200;
   Json json = Json::array();
-  for (const MissedPatch& patch : missed_patches(coverage, kLeast_m2)) {
+  for (const GroundPatch& patch : missed_patches(coverage, kLeast_m2)) {
     if (json.size() == kMost) break;
     json.push_back({{"at", place(patch.p_W)}, {"area_m2", rounded(patch.area_m2, 2)}});
   }

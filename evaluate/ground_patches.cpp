@@ -1,8 +1,9 @@
-#include "evaluate/missed_patches.h"
+#include "evaluate/ground_patches.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace headland {
 namespace {
@@ -16,9 +17,9 @@ Eigen::Vector2d cell_centre_W(const CoverageRaster& raster, RasterCell cell) {
   return raster.origin_W + raster.cell_m * Eigen::Vector2d(cell.column + 0.5, cell.row + 0.5);
 }
 
-}  // namespace
-
-std::vector<MissedPatch> missed_patches(const CoverageRaster& raster, double least_m2) {
+// Of workable cells whose times covered are `wanted`.
+template <typename Wanted>
+std::vector<GroundPatch> patches_of(const CoverageRaster& raster, double least_m2, Wanted wanted) {
   const auto index = [&](RasterCell cell) {
     return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(raster.columns) +
            static_cast<std::size_t>(cell.column);
@@ -30,11 +31,11 @@ std::vector<MissedPatch> missed_patches(const CoverageRaster& raster, double lea
       return false;
     }
     const std::size_t i = index(cell);
-    if (seen[i] || raster.in_field[i] == 0 || raster.times[i] > 0) return false;
+    if (seen[i] || raster.in_field[i] == 0 || !wanted(raster.times[i])) return false;
     seen[i] = true;
     return true;
   };
-  std::vector<MissedPatch> patches;
+  std::vector<GroundPatch> patches;
   std::vector<RasterCell> patch;
   for (int row = 0; row < raster.rows; ++row) {
     for (int column = 0; column < raster.columns; ++column) {
@@ -60,8 +61,18 @@ std::vector<MissedPatch> missed_patches(const CoverageRaster& raster, double lea
     }
   }
   std::ranges::stable_sort(
-      patches, [](const MissedPatch& a, const MissedPatch& b) { return a.area_m2 > b.area_m2; });
+      patches, [](const GroundPatch& a, const GroundPatch& b) { return a.area_m2 > b.area_m2; });
   return patches;
+}
+
+}  // namespace
+
+std::vector<GroundPatch> missed_patches(const CoverageRaster& raster, double least_m2) {
+  return patches_of(raster, least_m2, [](std::uint8_t times) { return times == 0; });
+}
+
+std::vector<GroundPatch> overlapped_patches(const CoverageRaster& raster, double least_m2) {
+  return patches_of(raster, least_m2, [](std::uint8_t times) { return times > 1; });
 }
 
 }  // namespace headland
