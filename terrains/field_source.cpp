@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+
 #include "terrains/field_outline.h"
 #include "terrains/gdal_scope.h"
 #include "terrains/given_polygon.h"
@@ -30,6 +32,19 @@ Field read_grid_field(const FieldSource& given, const std::string& source) {
   check_field(field, given.grid_map.string());
   check_entry(field, source, given.entry_place);
   return field;
+}
+
+// A whole country's degrees are no field in metres either.
+void refuse_degrees(const Field& field, const std::string& source) {
+  if (field.frame.georeferenced) return;
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& p_W : field.boundary) box.extend(p_W);
+  const double extent_m = box.sizes().maxCoeff();
+  if (extent_m >= kLeastPlainExtent_m) return;
+  throw InputError(source, "boundary", fmt::format("{:.3g} m across", extent_m),
+                   fmt::format("too small for a field (at least {} m); coordinates in degrees need "
+                               "crs: EPSG:4326",
+                               kLeastPlainExtent_m));
 }
 
 // A ring's points that it keeps its shape without are left out.
@@ -80,6 +95,7 @@ Field read_field(const FieldSource& given, const std::string& source,
                          fmt::format("boundary point {}", i + 1));
   }
   Field field = placed(polygon, geometry_source, given.frame);
+  refuse_degrees(field, geometry_source);
 
   const std::string point_crs = given.crs.empty() && from_file ? "EPSG:4326" : given.crs;
   const auto local = [&](const Eigen::Vector2d& point, const std::string& crs,

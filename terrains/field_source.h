@@ -79,6 +79,8 @@ inline constexpr std::size_t kManyPoints = 5000;
 inline constexpr double kOutlineRounding_m = 0.005;
 // Outside of these a boundary is taken for coordinates in the wrong CRS.
 inline constexpr double kMinFieldExtent_m = 1.0;
+// Of fields in metres without a place on the earth: less is degrees whose CRS is missing.
+inline constexpr double kLeastPlainExtent_m = 5.0;
 inline constexpr double kMaxFieldExtent_m = 20e3;
 // A gate may be digitised this far outside the boundary.
 inline constexpr double kEntryTolerance_m = 1.0;

@@ -199,8 +199,14 @@ TEST(InlineField, NanInAHoleIsRefused) {
 
 TEST(InlineField, DegreesTakenForMetresAreRefused) {
   EXPECT_EQ(line_of(inline_field(rings_in_degrees()[0])),
-            "demo.yaml: boundary: '0.00249 m across': too small for a field (at least 1 m); "
+            "demo.yaml: boundary: '0.00249 m across': too small for a field (at least 5 m); "
             "coordinates in degrees need crs: EPSG:4326");
+}
+
+TEST(InlineField, DegreesOfAWholeCountryAreRefusedWithoutACrs) {
+  EXPECT_THAT(line_of(inline_field({{9.5, 47.0}, {10.7, 47.0}, {10.7, 47.9}, {9.5, 47.9}})),
+              AllOf(HasSubstr("too small for a field"), HasSubstr("EPSG:4326")));
+  EXPECT_EQ(line_of(inline_field({{0, 0}, {5, 0}, {5, 5}, {0, 5}})), "accepted");
 }
 
 TEST(InlineField, MetresTakenForDegreesAreRefused) {
