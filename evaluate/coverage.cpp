@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "evaluate/scanline.h"
+#include "planner/scanline.h"
 #include "terrains/input_error.h"
 
 namespace headland {

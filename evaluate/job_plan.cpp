@@ -28,6 +28,7 @@ Plan planned_from(const JobSpec& job, const JobGround& ground, const Stage& stag
   const std::string source = job.common.file.string();
   Scenario scenario = job.common;
   scenario.planner = given.planner;
+  scenario.field.crs = job.crs;
   PlanRequest request = plan_request(scenario, stage);
   request.field = ground.fields[field];
   request.field.entry_W = gate_W;

@@ -18,8 +18,11 @@ Plan planned(const Scenario& scenario, const Stage& stage, const std::optional<D
   try {
     return find_planner(scenario.planner.name, source).plan(request);
   } catch (const InputError& refused) {
-    if (refused.where != "working_width_m") throw;
-    throw InputError(source, "implement.working_width_m", refused.value, refused.allowed);
+    if (refused.where == "working_width_m") {
+      throw InputError(source, "implement.working_width_m", refused.value, refused.allowed);
+    }
+    if (refused.where != "ab_line" && refused.where != "swath_objective") throw;
+    throw InputError(source, "planner." + refused.where, refused.value, refused.allowed);
   }
 }
 

@@ -1,6 +1,7 @@
 // A scenario: everything that names one evaluation, as read from YAML and with every default.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -23,7 +24,9 @@ struct PlannerChoice {
   std::string name = "boustrophedon";
   Parameters parameters;             // resolved
   std::optional<GridPlanning> grid;  // of planners on grid maps alone
-  std::filesystem::path cost_file;   // measured costs to plan by; empty: none
+  // A and B of a guidance line, in the CRS of the field's other points; planners on fields alone.
+  std::optional<std::array<Eigen::Vector2d, 2>> ab_line;
+  std::filesystem::path cost_file;  // measured costs to plan by; empty: none
 };
 
 struct Scenario {

@@ -130,6 +130,7 @@ constexpr std::string_view kOtherKeys[] = {
     "implement",
     "planner",
     "planner.name",
+    "planner.ab_line",
     "planner.start",
     "planner.end",
     "planner.closed",

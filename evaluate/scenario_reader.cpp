@@ -235,6 +235,21 @@ std::string read_vehicle(const YamlSection& top, const fs::path& folder) {
   return *name;
 }
 
+std::optional<std::array<Eigen::Vector2d, 2>> read_ab_line(const YamlSection& section) {
+  const auto points = read_points(section, "ab_line");
+  if (!points) return std::nullopt;
+  if (points->size() != 2) {
+    throw InputError(section.source, place_of(section, "ab_line"),
+                     fmt::format("{} points", points->size()), "two points, A and B");
+  }
+  for (const Eigen::Vector2d& point : *points) {
+    if (point.allFinite()) continue;
+    throw InputError(section.source, place_of(section, "ab_line"),
+                     fmt::format("{}, {}", point.x(), point.y()), "not a finite coordinate");
+  }
+  return std::array{points->front(), points->back()};
+}
+
 }  // namespace
 
 PlannerChoice read_planner(const YamlSection& top) {
@@ -269,7 +284,12 @@ PlannerChoice read_planner(const YamlSection& top) {
   choice.parameters = read_parameters(section, parameters);
   if (check != nullptr) check(choice.parameters, top.source, place_of_itself(section));
   choice.cost_file = read_cost_file(section, fs::absolute(top.source).parent_path());
+  choice.ab_line = read_ab_line(section);
   if (choice.grid) {
+    if (choice.ab_line) {
+      throw InputError(top.source, place_of(section, "ab_line"), "",
+                       "only of planners on fields; cells have planner.direction_deg");
+    }
     choice.grid = read_grid_planning(section);
   } else {
     refuse_grid_planning(section);

@@ -145,6 +145,10 @@ std::string scenario_yaml(const Scenario& given) {
     begin_section(out, "planner");
     emit(out, "name", scenario.planner.name);
     emit_parameters(out, scenario.planner.parameters);
+    if (const auto& line = scenario.planner.ab_line) {
+      out << YAML::Key << "ab_line" << YAML::Value << YAML::Flow;
+      emit(out, Ring(line->begin(), line->end()));
+    }
     const std::filesystem::path& cost_file = scenario.planner.cost_file;
     if (scenario.planner.grid) {
       emit_grid_planning(out, *scenario.planner.grid, cost_file);

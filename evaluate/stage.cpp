@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "evaluate/scenario.h"
+#include "terrains/geo_frame.h"
 #include "terrains/grid_map_file.h"
 #include "terrains/input_error.h"
 #include "vehicle_models/vehicle_check.h"
@@ -35,6 +36,17 @@ void load_grid(const Scenario& scenario, Stage& stage) {
                                       stage.grid->cell_m, scenario.working_width_m));
   }
   check_grid_ends(scenario, *stage.grid);
+}
+
+std::optional<std::array<Eigen::Vector2d, 2>> ab_line_W(const Scenario& scenario,
+                                                        const GeoFrame& frame) {
+  const auto& given = scenario.planner.ab_line;
+  if (!given || !frame.georeferenced) return given;
+  const std::string crs = scenario.field.crs.empty() ? "EPSG:4326" : scenario.field.crs;
+  const std::vector<Eigen::Vector2d> points_W =
+      local_from_wgs84(frame, wgs84_from_crs(crs, {given->front(), given->back()},
+                                             scenario.file.string() + ": planner.ab_line"));
+  return std::array{points_W.front(), points_W.back()};
 }
 
 }  // namespace
@@ -89,10 +101,12 @@ PlanRequest plan_request(const Scenario& scenario, const Stage& stage) {
   request.turning_radius_m = planning_turning_radius_m(vehicle);
   request.vehicle_width_m = vehicle.body.width_m;
   request.vehicle_front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
-  request.vehicle_rear_m = std::max(vehicle.body.rear_overhang_m, -vehicle.implement.x_B_m);
+  request.vehicle_rear_m = vehicle.body.rear_overhang_m;
+  request.implement_x_B_m = vehicle.implement.x_B_m;
   request.forward_only = vehicle.implement.trailing.has_value();
   request.clearance_m = scenario.path.clearance_m;
   request.parameters = scenario.planner.parameters;
+  request.ab_line_W = ab_line_W(scenario, stage.field.frame);
   request.seed = scenario.seed;
   return request;
 }

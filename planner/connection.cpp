@@ -1,11 +1,14 @@
 #include "planner/connection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "planner/hybrid_a_star.h"
+#include "planner/long_route.h"
 #include "planner/turns.h"
+#include "planner/way_to_room.h"
 
 namespace headland {
 namespace {
@@ -34,6 +37,20 @@ bool walk(const Pose& from, const std::vector<Arc>& arcs, Visit visit) {
     start = pose_along(start, arc, arc.length_m);
   }
   return visit(start) >= 0.0;
+}
+
+// The side of a pose that is further from what is nearest, +1 for the left.
+double roomier_side(const FreeSpace& space, const Pose& pose) {
+  const auto room_m = [&](double side) {
+    const Eigen::Vector2d p_W =
+        pose.p_W + side * space.hull.half_width_m * left_of(pose.heading_rad);
+    double least_m = nearest_edge(space, p_W).distance_m;
+    for (const Obstacle& obstacle : space.obstacles) {
+      least_m = std::min(least_m, obstacle_gap_m(obstacle, p_W));
+    }
+    return least_m;
+  };
+  return room_m(1.0) >= room_m(-1.0) ? 1.0 : -1.0;
 }
 
 void deepen(Overrun& worst, const Overrun& other) {
@@ -89,6 +106,11 @@ std::optional<std::vector<Arc>> connect_by_turn(const FreeSpace& space, const Po
   for (Turn& turn : turns_with_run_outs(from, to, options.radius_m, space.hull.gears)) {
     if (fits_along(space, from, turn.arcs, clearance_m)) return std::move(turn.arcs);
   }
+  if (space.hull.gears == Gears::kForwardOnly) return std::nullopt;
+  const Aside aside{roomier_side(space, from), roomier_side(space, to)};
+  for (Turn& turn : backing_turns(from, to, options.radius_m, aside)) {
+    if (fits_along(space, from, turn.arcs, clearance_m)) return std::move(turn.arcs);
+  }
   return std::nullopt;
 }
 
@@ -98,15 +120,39 @@ std::optional<std::vector<Arc>> connect(const FreeSpace& space, const Pose& from
   if (!fits(space, from, options.clearance_m) || !fits(space, to, options.clearance_m)) {
     return std::nullopt;
   }
-  RouteOptions route;
-  route.radius_m = options.radius_m;
-  route.clearance_m = options.clearance_m;
-  route.max_nodes = std::min(node_budget, kMaxNodesPerRoute);
-  route.cancelled = options.cancelled;
-  int expanded = 0;
-  auto arcs = find_route(space, from, to, route, &expanded);
-  node_budget -= expanded;
-  return arcs;
+  // Where an end has no room to turn, the way is looked for from where there is some.
+  const double clearance_m = options.clearance_m;
+  const auto out = way_to_room(space, from, options.radius_m, clearance_m);
+  const auto away = way_to_room(space, to, options.radius_m, clearance_m);
+  std::vector<Arc> first = out.value_or(std::vector<Arc>{});
+  const std::vector<Arc> last = driven_back(away.value_or(std::vector<Arc>{}));
+  const Pose roomy_from = end_of(from, first);
+  const Pose roomy_to = end_of(to, away.value_or(std::vector<Arc>{}));
+  const bool tight = !first.empty() || !last.empty();
+  auto between = tight ? connect_by_turn(space, roomy_from, roomy_to, options) : std::nullopt;
+  if (between && has_odd_run(*between, false)) between.reset();
+  if (!between) {
+    RouteOptions route;
+    route.radius_m = options.radius_m;
+    route.clearance_m = clearance_m;
+    route.max_nodes = std::min(node_budget, kMaxNodesPerRoute);
+    route.cancelled = options.cancelled;
+    int expanded = 0;
+    if ((roomy_to.p_W - roomy_from.p_W).norm() > kLongRoute * options.radius_m) {
+      between = find_long_route(space, roomy_from, roomy_to, route, &expanded);
+      if (between && has_odd_run(*between, false)) between.reset();
+      node_budget -= expanded;
+      route.max_nodes = std::min(node_budget, kMaxNodesPerRoute);
+    }
+    if (!between) {
+      between = find_route(space, roomy_from, roomy_to, route, &expanded);
+      node_budget -= expanded;
+    }
+  }
+  if (!between) return std::nullopt;
+  first.insert(first.end(), between->begin(), between->end());
+  first.insert(first.end(), last.begin(), last.end());
+  return first;
 }
 
 std::vector<Arc> connect_overrunning(const FreeSpace& space, const Pose& from, const Pose& to,

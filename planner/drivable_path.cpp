@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "planner/join_lines.h"
@@ -12,9 +13,32 @@
 
 namespace headland {
 
+namespace {
+
+// The pass driven the other way, without what does not fit at its ends; empty where it does not fit
+// in between.
+std::vector<PathPoint> other_way(Pass pass, const FreeSpace& space, double implement_x_B_m,
+                                 double clearance_m) {
+  constexpr std::size_t kLeastPoints = 3;
+  std::ranges::reverse(pass.points_W);
+  std::vector<PathPoint> points = work_line(pass, implement_x_B_m).points;
+  const auto fine = [&](const PathPoint& point) {
+    return fits(space, pose_of(point), clearance_m - kFitTolerance_m);
+  };
+  const auto first = std::ranges::find_if(points, fine);
+  points.erase(points.begin(), first);
+  points.erase(std::find_if(points.rbegin(), points.rend(), fine).base(), points.end());
+  if (points.size() < kLeastPoints || !std::ranges::all_of(points, fine)) return {};
+  return points;
+}
+
+}  // namespace
+
 Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
                const PathOptions& options, const CancelAsked& cancelled) {
   if (plan.passes.empty()) throw PlanInfeasible("the plan has no passes");
+  const Field outline = simplified(field);
+  const FreeSpace space = free_space(outline, hull_of(vehicle));
   std::vector<WorkLine> lines;
   lines.reserve(plan.passes.size());
   for (const Pass& pass : plan.passes) {
@@ -23,11 +47,12 @@ Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
     }
     lines.push_back(work_line(pass, vehicle.implement.x_B_m));
     if (pass.kind == PassKind::kSwath) add_run_in(lines.back(), run_in_m(vehicle));
+    if (pass.optional) {
+      lines.back().other_way = other_way(pass, space, vehicle.implement.x_B_m, options.clearance_m);
+    }
   }
   const ConnectionOptions connection{planning_turning_radius_m(vehicle), options.clearance_m,
                                      cancelled};
-  const Field outline = simplified(field);
-  const FreeSpace space = free_space(outline, hull_of(vehicle));
   std::vector<double> cuts =
       make_room_for_turns(plan, outline, space, connection, vehicle.implement.x_B_m, lines);
   Path path = join_lines(field, vehicle, space, lines, options, cancelled);

@@ -61,6 +61,10 @@ NearestEdge nearest_edge(const FreeSpace& space, const Eigen::Vector2d& p_W);
 // 1 us.
 bool fits(const FreeSpace& space, const Pose& pose, double clearance_m);
 
+// Whether the implement at this pose works inside the boundary and outside holes, but for
+// `overhang_m` (>= 0, to within kFitTolerance_m) at both of its ends.
+bool works_inside(const FreeSpace& space, const Pose& pose, double overhang_m);
+
 // The clearance [m] the hull keeps, at most `most_m` (>= 0); negative by how far it protrudes.
 double clearance_m(const FreeSpace& space, const Pose& pose, double most_m);
 

@@ -139,7 +139,7 @@ double turning_depth_m(const PlanRequest& request) {
   const double bulb_m = request.forward_only && apart_m < 2.0 * radius_m
                             ? std::sqrt(4.0 * radius_m * radius_m - apart_m * apart_m)
                             : 0.0;
-  return request.vehicle_rear_m + bulb_m +
+  return std::max(request.vehicle_rear_m, -request.implement_x_B_m) + bulb_m +
          std::max(radius_m + request.working_width_m / 2.0,
                   std::hypot(radius_m + request.vehicle_width_m / 2.0, request.vehicle_front_m)) +
          request.clearance_m;

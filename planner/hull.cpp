@@ -20,6 +20,17 @@ Hull hull_of(const Vehicle& vehicle) {
   return hull;
 }
 
+Hull hull_of(const PlanRequest& request) {
+  Hull hull;
+  hull.front_m = request.vehicle_front_m;
+  hull.rear_m = request.vehicle_rear_m;
+  hull.half_width_m = 0.5 * request.vehicle_width_m;
+  hull.bar_x_m = request.implement_x_B_m;
+  hull.bar_half_width_m = 0.5 * request.working_width_m;
+  if (request.forward_only) hull.gears = Gears::kForwardOnly;
+  return hull;
+}
+
 double reach_m(const Hull& hull) {
   return std::hypot(std::max(hull.front_m, hull.rear_m), hull.half_width_m);
 }

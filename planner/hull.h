@@ -5,6 +5,7 @@
 #include <array>
 
 #include "planner/arcs.h"
+#include "planner/plan.h"
 #include "vehicle_models/vehicle.h"
 
 namespace headland {
@@ -21,6 +22,7 @@ struct Hull {
 };
 
 Hull hull_of(const Vehicle& vehicle);
+Hull hull_of(const PlanRequest& request);
 // Distance [m] from B's origin to the chassis's furthest corner.
 double reach_m(const Hull& hull);
 // The same with the ends of the bar.

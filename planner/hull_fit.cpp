@@ -88,6 +88,28 @@ bool fits(const FreeSpace& space, const Pose& pose, double clearance_m) {
                    [kept_m](double gap_m) { return gap_m > kept_m; });
 }
 
+bool works_inside(const FreeSpace& space, const Pose& pose, double overhang_m) {
+  const Hull& hull = space.hull;
+  const double half_m = hull.bar_half_width_m - overhang_m - kFitTolerance_m;
+  if (half_m <= 0.0) return true;
+  const Vector2d middle_W = pose.p_W + hull.bar_x_m * direction_of(pose.heading_rad);
+  const CellPlace place = place_of(space, middle_W);
+  if (place.cell.edge_distance_m - (middle_W - place.centre_W).norm() > half_m) return true;
+  const Vector2d left_W = middle_W + half_m * left_of(pose.heading_rad);
+  const Vector2d right_W = middle_W - half_m * left_of(pose.heading_rad);
+  if (!inside(space, left_W) || !inside(space, right_W)) return false;
+  const Vector2d bar = left_W - right_W;
+  const CellRange near = cells_around(space, left_W.cwiseMin(right_W), left_W.cwiseMax(right_W));
+  return every_cell(space, near, [&](const FreeSpace::Cell& cell) {
+    return std::ranges::none_of(cell.edges, [&](int index) {
+      const FreeSpace::Edge& edge = space.edges[static_cast<std::size_t>(index)];
+      const Vector2d run = edge.b_W - edge.a_W;
+      return (cross(bar, edge.a_W - right_W) > 0.0) != (cross(bar, edge.b_W - right_W) > 0.0) &&
+             (cross(run, right_W - edge.a_W) > 0.0) != (cross(run, left_W - edge.a_W) > 0.0);
+    });
+  });
+}
+
 double clearance_m(const FreeSpace& space, const Pose& pose, double most_m) {
   if (safe_distance_m(space, pose) > most_m) return most_m;
   if (!fits(space, pose, 0.0)) return -overrun(space, pose).depth_m;

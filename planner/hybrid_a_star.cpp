@@ -168,7 +168,8 @@ std::optional<Turn> curve_to(const Search& search, const Pose& pose, const Pose&
 std::optional<Turn> closing_curve(const Search& search, const Pose& pose, double most_m) {
   const double clearance_m = search.options.clearance_m;
   const auto fitting = [&](const std::optional<Turn>& turn) {
-    return turn && turn->cost_m < most_m && fits_along(search.space, pose, turn->arcs, clearance_m);
+    return turn && turn->cost_m < most_m && !has_odd_run(turn->arcs, false) &&
+           fits_along(search.space, pose, turn->arcs, clearance_m);
   };
   std::optional<Turn> best = curve_to(search, pose, search.to);
   if (!fitting(best)) best.reset();
@@ -264,6 +265,7 @@ std::vector<Arc> shortened(const FreeSpace& space, const Pose& from, const std::
       const std::vector<Arc> old(begin, begin + static_cast<std::ptrdiff_t>(count));
       const auto all = turns(pose, end_of(pose, old), options.radius_m, space.hull.gears);
       if (all.empty() || all.front().cost_m >= cost_m(old)) continue;
+      if (has_odd_run(all.front().arcs, false)) continue;
       if (!fits_along(space, pose, all.front().arcs, options.clearance_m)) continue;
       piece = all.front().arcs;
       taken = count;
@@ -329,11 +331,18 @@ std::optional<std::vector<Arc>> find_route(const FreeSpace& space, const Pose& f
   }
   if (expanded != nullptr) *expanded = count;
   if (best.empty()) return std::nullopt;
-  for (std::size_t before = best.size() + 1; best.size() < before;) {
-    before = best.size();
-    best = merged(shortened(space, from, best, options));
+  return shortened_route(space, from, std::move(best), options);
+}
+
+std::vector<Arc> shortened_route(const FreeSpace& space, const Pose& from, std::vector<Arc> arcs,
+                                 const RouteOptions& options) {
+  for (std::size_t before = arcs.size() + 1; arcs.size() < before;) {
+    before = arcs.size();
+    std::vector<Arc> shorter = merged(shortened(space, from, arcs, options));
+    if (has_odd_run(shorter, false) && !has_odd_run(arcs, false)) break;
+    arcs = std::move(shorter);
   }
-  return best;
+  return arcs;
 }
 
 }  // namespace headland

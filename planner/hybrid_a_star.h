@@ -28,4 +28,9 @@ struct RouteOptions {
 std::optional<std::vector<Arc>> find_route(const FreeSpace& space, const Pose& from, const Pose& to,
                                            const RouteOptions& options, int* expanded);
 
+// The route with stretches replaced by closed-form turns that fit and cost less, until none saves
+// an arc.
+std::vector<Arc> shortened_route(const FreeSpace& space, const Pose& from, std::vector<Arc> arcs,
+                                 const RouteOptions& options);
+
 }  // namespace headland

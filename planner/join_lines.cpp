@@ -20,6 +20,11 @@ constexpr double kMaxEntryShift_m = 25.0;
 constexpr double kEntryRing_m = 0.5;
 constexpr int kEntryHeadings = 24;
 constexpr int kEntryPlaces = 16;  // on each ring
+// Nodes that a route to or from an optional pass may take: there are many, and the next one may do.
+constexpr int kOptionalNodes = 3000;
+// So many of them are tried in turn before the vehicle is taken to be stuck, and each so often.
+constexpr std::size_t kLinesTried = 6;
+constexpr int kTriesEach = 6;
 // Headland widths are named in steps of this.
 constexpr double kWidthStep_m = 0.1;
 
@@ -54,7 +59,7 @@ std::string line_name(const std::vector<WorkLine>& lines, std::size_t index) {
 struct Joining {
   const Field& field;
   const Vehicle& vehicle;
-  const std::vector<WorkLine>& lines;
+  std::vector<WorkLine> lines;
   const PathOptions& options;
   const FreeSpace& space;
   const CancelAsked& cancelled;
@@ -79,12 +84,12 @@ void record(Joining& joining, const Overrun& worst, std::string_view what) {
 }
 
 // Why nothing fits between two lines, and what would help.
-[[noreturn]] void refuse_connection(const Joining& joining, std::size_t next) {
-  const PathPoint& from = joining.lines[next - 1].points.back();
+[[noreturn]] void refuse_connection(const Joining& joining, std::size_t before, std::size_t next) {
+  const PathPoint& from = joining.lines[before].points.back();
   const PathPoint& to = joining.lines[next].points.front();
   const Eigen::Vector2d end_W = implement_at(joining, from);
   const std::string what =
-      fmt::format("no turn from {} to {} fits at {}", line_name(joining.lines, next - 1),
+      fmt::format("no turn from {} to {} fits at {}", line_name(joining.lines, before),
                   line_name(joining.lines, next), place_name(joining.field, end_W));
   const EdgeAhead ahead = edge_ahead(joining.space, end_W, from.heading_rad);
   const double there_m = ahead.distance_m * ahead.outward.dot(direction_of(from.heading_rad));
@@ -132,24 +137,125 @@ void append_arcs(Joining& joining, const Pose& from, const std::vector<Arc>& arc
   ++joining.manoeuvre;
 }
 
-void append_connection(Joining& joining, std::size_t next) {
-  const PathPoint& from = joining.lines[next - 1].points.back();
-  const PathPoint& to = joining.lines[next].points.front();
+// A line that is driven, and how it is come to from the one before; without arcs the turn does not
+// fit.
+struct DrivenLine {
+  std::size_t line = 0;
+  std::optional<std::vector<Arc>> arcs{};
+};
+
+std::optional<std::vector<Arc>> arcs_between(Joining& joining, std::size_t before,
+                                             std::size_t next) {
+  const Pose from = pose_of(joining.lines[before].points.back());
+  const Pose to = pose_of(joining.lines[next].points.front());
   const double clearance_m =
-      clearance_between(joining.space, pose_of(from), pose_of(to), joining.options.clearance_m);
-  std::optional<std::vector<Arc>> arcs;
-  if (clearance_m >= -kFitTolerance_m) {
-    arcs = connect(joining.space, pose_of(from), pose_of(to),
-                   connection_options(joining, clearance_m), joining.node_budget);
+      clearance_between(joining.space, from, to, joining.options.clearance_m);
+  if (clearance_m < -kFitTolerance_m) return std::nullopt;
+  const bool optional = joining.lines[before].optional || joining.lines[next].optional;
+  int nodes = std::min(joining.node_budget, optional ? kOptionalNodes : joining.node_budget);
+  const int allowed = nodes;
+  auto arcs = connect(joining.space, from, to, connection_options(joining, clearance_m), nodes);
+  joining.node_budget -= allowed - nodes;
+  return arcs;
+}
+
+void leave_out(Joining& joining, std::size_t line) {
+  const std::vector<PathPoint>& points = joining.lines[line].points;
+  const Eigen::Vector2d middle_W = implement_at(joining, points[points.size() / 2]);
+  joining.path.left_out.push_back(
+      {line, middle_W,
+       fmt::format("no turn to or from {} at {} fits", line_name(joining.lines, line),
+                   place_name(joining.field, middle_W))});
+}
+
+// Appends a line if a turn leads to it, the other way round if that helps.
+bool drive_next(Joining& joining, std::size_t next, std::vector<DrivenLine>& driven) {
+  DrivenLine to{next};
+  if (!driven.empty()) {
+    to.arcs = arcs_between(joining, driven.back().line, next);
+    WorkLine& line = joining.lines[next];
+    if (!to.arcs && !line.other_way.empty()) {
+      std::swap(line.points, line.other_way);
+      to.arcs = arcs_between(joining, driven.back().line, next);
+      if (!to.arcs) std::swap(line.points, line.other_way);
+    }
+    if (!to.arcs) return false;
   }
+  driven.push_back(std::move(to));
+  return true;
+}
+
+// Drives optional lines in their order as far as turns lead to them. Those that could not be come
+// to wait until the vehicle has come on; one from which nothing leads on waits likewise, and is
+// left out when it happens again.
+void drive_optional(Joining& joining, std::vector<std::size_t> waiting,
+                    std::vector<DrivenLine>& driven) {
+  const std::size_t first = driven.size();
+  std::vector<int> tries(joining.lines.size(), 0);
+  while (!waiting.empty()) {
+    stop_if(joining.cancelled);
+    std::size_t failed = 0;
+    const auto reached = std::ranges::find_if(waiting, [&](std::size_t line) {
+      if (failed >= kLinesTried) return false;
+      if (drive_next(joining, line, driven)) return true;
+      ++failed;
+      ++tries[line];
+      return false;
+    });
+    if (reached != waiting.end()) {
+      waiting.erase(reached);
+    } else if (driven.size() > first) {
+      const std::size_t stuck = driven.back().line;
+      driven.pop_back();
+      tries[stuck] += kTriesEach / 2;
+      waiting.push_back(stuck);
+    } else {
+      tries[waiting.front()] = kTriesEach;
+    }
+    std::erase_if(waiting, [&](std::size_t line) {
+      if (tries[line] < kTriesEach) return false;
+      leave_out(joining, line);
+      return true;
+    });
+  }
+}
+
+std::vector<DrivenLine> lines_to_drive(Joining& joining) {
+  std::vector<DrivenLine> driven;
+  for (std::size_t next = 0; next < joining.lines.size();) {
+    stop_if(joining.cancelled);
+    std::vector<std::size_t> optional;
+    for (; next < joining.lines.size() && joining.lines[next].optional; ++next) {
+      optional.push_back(next);
+    }
+    drive_optional(joining, std::move(optional), driven);
+    if (next == joining.lines.size()) break;
+    bool reached = drive_next(joining, next, driven);
+    while (!reached && joining.lines[driven.back().line].optional) {
+      leave_out(joining, driven.back().line);
+      driven.pop_back();
+      reached = drive_next(joining, next, driven);
+    }
+    if (!reached) {
+      if (!joining.options.allow_overrun) refuse_connection(joining, driven.back().line, next);
+      driven.push_back({next});
+    }
+    ++next;
+  }
+  return driven;
+}
+
+void append_connection(Joining& joining, std::size_t before, const DrivenLine& next) {
+  const PathPoint& from = joining.lines[before].points.back();
+  const PathPoint& to = joining.lines[next.line].points.front();
+  std::optional<std::vector<Arc>> arcs = next.arcs;
   if (!arcs) {
-    if (!joining.options.allow_overrun) refuse_connection(joining, next);
     arcs = connect_overrunning(joining.space, pose_of(from), pose_of(to), joining.radius_m);
     const Overrun worst = worst_overrun(joining.space, pose_of(from), *arcs);
     if (worst.depth_m > 0.0) {
       record(joining, worst,
-             fmt::format("turn from {} to {}", line_name(joining.lines, next - 1),
-                         line_name(joining.lines, next)));
+             fmt::format("turn from {} to {}", line_name(joining.lines, before),
+                         line_name(joining.lines, next.line)));
     }
   }
   append_arcs(joining, pose_of(from), *arcs, to,
@@ -203,7 +309,7 @@ void append_line(Joining& joining, std::size_t index) {
       const double to_end_m = (worst.p_W - line.points.back().p_W).norm();
       const double reach = reach_m(joining.space.hull) + kPathSpacing_m;
       if (to_end_m <= reach && index + 1 < joining.lines.size()) {
-        refuse_connection(joining, index + 1);
+        refuse_connection(joining, index, index + 1);
       }
       throw PlanInfeasible(
           fmt::format("{} takes the hull {:.2f} m {} at {}; keep passes further inside or allow "
@@ -308,10 +414,10 @@ Path join_lines(const Field& field, const Vehicle& vehicle, const FreeSpace& spa
   joining.node_budget = node_budget;
   joining.radius_m = planning_turning_radius_m(vehicle);
   if (field.entry_W) append_entry(joining, *field.entry_W);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    stop_if(cancelled);
-    if (i > 0) append_connection(joining, i);
-    append_line(joining, i);
+  const std::vector<DrivenLine> driven = lines_to_drive(joining);
+  for (std::size_t i = 0; i < driven.size(); ++i) {
+    if (i > 0) append_connection(joining, driven[i - 1].line, driven[i]);
+    append_line(joining, driven[i].line);
   }
   joining.path.tightest = tightest_place(space, joining.path, options.clearance_m);
   return std::move(joining.path);

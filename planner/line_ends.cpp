@@ -38,8 +38,8 @@ std::size_t points_within(const WorkLine& line, double cut_m) {
 }
 
 bool closed(const Pass& pass) {
-  return pass.kind == PassKind::kHeadlandPass &&
-         (pass.points_W.front() - pass.points_W.back()).norm() < kRingGap_m;
+  return pass.kind == PassKind::kHeadlandPass && pass.points_W.size() > 3 &&
+         pass.points_W.front() == pass.points_W.back();
 }
 
 // The round as a line that a turn from `from` reaches, by the cheapest one; none when no turn does.
@@ -116,6 +116,7 @@ std::vector<double> make_room_for_turns(const Plan& plan, const Field& field,
     WorkLine& from = lines[i];
     WorkLine& to = lines[i + 1];
     const Pose end = pose_of(from.points.back());
+    if (from.optional || to.optional) continue;
     if (connect_by_turn(space, end, pose_of(to.points.front()), options)) continue;
     if (closed(plan.passes[i + 1])) {
       auto round = begin_elsewhere(plan.passes[i + 1], end, space, options, implement_x_B_m);

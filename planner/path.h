@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -50,11 +51,20 @@ struct TightestPlace {
   Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
 };
 
+// A pass of the plan that is not driven, and why.
+struct LeftOutPass {
+  std::size_t pass = 0;                           // index into Plan::passes
+  Eigen::Vector2d p_W = Eigen::Vector2d::Zero();  // its middle
+  std::string why;
+};
+
 struct Path {
   std::vector<PathSegment> segments;
   std::vector<PathViolation> violations;  // empty unless overruns were allowed
   std::vector<double> cut_back_m;         // of swath ends shortened for their turn's room
-  TightestPlace tightest;                 // known to who made the path, not kept in files
+  // Known to who made the path, not kept in files:
+  std::vector<LeftOutPass> left_out;  // optional passes that no turn leads to or away from
+  TightestPlace tightest;
 };
 
 double length_m(const PathSegment& segment);

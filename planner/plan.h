@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -23,6 +25,7 @@ enum class PassKind { kSwath, kHeadlandPass };
 struct Pass {
   PassKind kind = PassKind::kSwath;
   std::vector<Eigen::Vector2d> points_W;
+  bool optional = false;  // left out where no turn leads there and away
 };
 
 struct DriveCost;
@@ -34,10 +37,13 @@ struct PlanRequest {
   double turning_radius_m = 0.0;  // planning radius of the vehicle
   double vehicle_width_m = 0.0;   // hull, without implement
   double vehicle_front_m = 0.0;   // hull ahead of B's origin
-  double vehicle_rear_m = 0.0;    // hull or implement behind B's origin
+  double vehicle_rear_m = 0.0;    // hull behind it
+  double implement_x_B_m = 0.0;   // of the working line; negative: behind B's origin
   bool forward_only = false;      // cannot turn with reverse gear (see arcs.h)
   double clearance_m = 0.1;       // to be kept between hull and boundary, holes and obstacles
-  Parameters parameters;          // resolved against the planner's specs
+  // Through A and B, along which and with which in line swaths are laid; none: by parameters.
+  std::optional<std::array<Eigen::Vector2d, 2>> ab_line_W;
+  Parameters parameters;  // resolved against the planner's specs
   std::uint64_t seed = 1;
   const DriveCost* cost = nullptr;  // measured ones; not owned; null: none
   CancelAsked cancelled;            // ends planning with Cancelled

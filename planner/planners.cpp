@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/algorithms/boustrophedon.h"
+#include "planner/algorithms/decomposed.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -16,6 +17,9 @@ std::span<const PlannerEntry> planners() {
                    "Choset, 'Coverage of known spaces: the boustrophedon cellular decomposition', "
                    "Autonomous Robots 9, 2000",
                    plan_boustrophedon, boustrophedon_parameters()},
+      PlannerEntry{"decomposed",
+                   "IGA-CPP's decomposition, Held and Karp 1962, and headland's own order of parts",
+                   plan_decomposed, decomposed_parameters()},
   };
   return kPlanners;
 }

@@ -125,6 +125,14 @@ PolygonSet difference(const PolygonSet& a, const PolygonSet& b) {
                             "difference"));
 }
 
+PolygonSet intersection(const PolygonSet& a, const PolygonSet& b) {
+  const GeosScope geos;
+  return set_of(geos, owned(geos,
+                            GEOSIntersectionPrec_r(geos.handle(), geometry_of(geos, a).get(),
+                                                   geometry_of(geos, b).get(), kGrid_m),
+                            "intersection"));
+}
+
 PolygonSet united(std::span<const PolygonSet> sets) {
   const GeosScope geos;
   return set_of(

@@ -52,6 +52,7 @@ PolygonSet buffered(const PolygonSet& set, double distance_m, Join join,
 PolygonSet simplified(const PolygonSet& set, double tolerance_m);
 
 PolygonSet difference(const PolygonSet& a, const PolygonSet& b);
+PolygonSet intersection(const PolygonSet& a, const PolygonSet& b);
 PolygonSet united(std::span<const PolygonSet> sets);
 
 // Whether all of `part` lies in `whole`, edges included; much cheaper than a difference.

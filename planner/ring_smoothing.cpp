@@ -51,30 +51,41 @@ PolygonSet clear_ground(const Rounding& rounding) {
 
 }  // namespace
 
-PolygonSet rounded(const PolygonSet& ground, const Rounding& rounding,
-                   const CancelAsked& cancelled) {
+// What is to be kept out of around a place that closing brings too near, so that the boundary
+// swings out there: the smallest shift of the ground with which closing keeps the clearance.
+PolygonSet kept_out_of(const PolygonSet& ground, const PolygonSet& clear, const PolygonPart& around,
+                       double radius_m, const CancelAsked& cancelled) {
+  const PolygonSet place{{around}};
+  const PolygonSet near = intersection(ground, buffered(place, 2.0 * radius_m, Join::kRound));
+  double low_m = 0.0;
+  double high_m = radius_m;
+  for (int i = 0; i < kSwingBisections; ++i) {
+    stop_if(cancelled);
+    const double shift_m = 0.5 * (low_m + high_m);
+    const PolygonSet shifted = closed_by(buffered(near, -shift_m, Join::kMitre), radius_m);
+    (covers(clear, intersection(shifted, place)) ? high_m : low_m) = shift_m;
+  }
+  return opened_by(difference(place, buffered(near, -high_m, Join::kMitre)), radius_m);
+}
+
+PolygonSet passable(const PolygonSet& ground, const Rounding& rounding,
+                    const CancelAsked& cancelled) {
   const double radius_m = rounding.radius_m;
   const PolygonSet clear = clear_ground(rounding);
   PolygonSet free = closed_by(ground, radius_m);
-  if (!covers(clear, free)) {
-    const PolygonSet too_near = difference(free, clear);
-    // The smallest shift of the boundary with which closing keeps the clearance everywhere.
-    double low_m = 0.0;
-    double high_m = radius_m;
-    for (int i = 0; i < kSwingBisections; ++i) {
-      stop_if(cancelled);
-      const double shift_m = 0.5 * (low_m + high_m);
-      const PolygonSet shifted = closed_by(buffered(ground, -shift_m, Join::kMitre), radius_m);
-      (covers(clear, shifted) ? high_m : low_m) = shift_m;
-    }
-    // Shifting only around those places: a union of sets that a disc can be rolled around inside
-    // is such a set again, so the swing keeps the radius.
-    const PolygonSet place = buffered(too_near, 2.0 * radius_m, Join::kRound);
-    const PolygonSet kept_out =
-        opened_by(difference(place, buffered(ground, -high_m, Join::kMitre)), radius_m);
-    free = difference(free, kept_out);
+  if (covers(clear, free)) return free;
+  // Shifting only around those places: a union of sets that a disc can be rolled around inside is
+  // such a set again, so the swing keeps the radius.
+  const PolygonSet places = buffered(difference(free, clear), 2.0 * radius_m, Join::kRound);
+  for (const PolygonPart& place : places.parts) {
+    free = difference(free, kept_out_of(ground, clear, place, radius_m, cancelled));
   }
-  return opened_by(free, rounding.corner_radius_m);
+  return free;
+}
+
+PolygonSet rounded(const PolygonSet& ground, const Rounding& rounding,
+                   const CancelAsked& cancelled) {
+  return opened_by(passable(ground, rounding, cancelled), rounding.corner_radius_m);
 }
 
 PolygonSet closed_where_clear(const PolygonSet& ground, const Rounding& rounding) {

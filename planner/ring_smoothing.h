@@ -24,6 +24,11 @@ struct Rounding {
 PolygonSet rounded(const PolygonSet& ground, const Rounding& rounding,
                    const CancelAsked& cancelled = {});
 
+// The first half of it: corners that stick into the ground can be passed, those of the ground stay
+// sharp.
+PolygonSet passable(const PolygonSet& ground, const Rounding& rounding,
+                    const CancelAsked& cancelled = {});
+
 // Rounding leaves kinks into the ground where opening split it, and kinks out of it where closing
 // joined it. Closed once more, though not where that comes nearer than the clearance:
 PolygonSet closed_where_clear(const PolygonSet& ground, const Rounding& rounding);

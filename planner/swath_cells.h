@@ -18,7 +18,8 @@ using SwathCell = std::vector<std::size_t>;
 
 std::vector<SwathCell> cells_of(const SwathGrid& grid);
 
-// A cell driven up and down from one of its four corners.
+// A cell driven up and down from one of its four corners: its swaths in their order or in that from
+// the last to the first, which may be any (swath_pattern.h).
 struct CellVisit {
   std::size_t cell = 0;
   bool from_last_line = false;

@@ -116,17 +116,18 @@ void merge(Intervals& intervals) {
 
 // Extent along the swaths of each piece of ground inside each band. Such a piece is bounded by
 // edges cut to the band and by cross-sections at its two sides, and so is its extent.
-std::vector<Intervals> extents_in_bands(const Edges& edges, double spacing_m, int bands) {
-  const double first_bottom_m = edges.lowest_m + kBandEdge_m;
-  const double first_top_m = edges.lowest_m + spacing_m - kBandEdge_m;
+// The first band begins at `lowest_m`.
+std::vector<Intervals> extents_in_bands(const Edges& edges, double lowest_m, double spacing_m,
+                                        int bands) {
+  const double first_bottom_m = lowest_m + kBandEdge_m;
+  const double first_top_m = lowest_m + spacing_m - kBandEdge_m;
   std::vector<Intervals> extents = cross_sections(edges, first_bottom_m, spacing_m, bands);
   const std::vector<Intervals> tops = cross_sections(edges, first_top_m, spacing_m, bands);
   for (std::size_t k = 0; k < extents.size(); ++k) {
     extents[k].insert(extents[k].end(), tops[k].begin(), tops[k].end());
   }
   for (const Edge& edge : edges.edges) {
-    const int nearest =
-        static_cast<int>(std::floor((edge.low.y() - edges.lowest_m) / spacing_m)) - 1;
+    const int nearest = static_cast<int>(std::floor((edge.low.y() - lowest_m) / spacing_m)) - 1;
     for (int k = std::max(0, nearest); k < bands; ++k) {
       const double bottom_m = std::max(first_bottom_m + k * spacing_m, edge.low.y());
       const double top_m = std::min(first_top_m + k * spacing_m, edge.high.y());
@@ -194,13 +195,18 @@ double turn_length_m(double width_m, double turning_radius_m) {
 }
 
 SwathGrid lay_swaths(const PolygonSet& inner, const PolygonSet& drivable, double direction_rad,
-                     double width_m, double bridge_m) {
+                     double width_m, double bridge_m, std::optional<double> through_m) {
   SwathGrid grid;
   grid.direction_rad = direction_rad;
   grid.spacing_m = width_m;
   if (inner.parts.empty()) return grid;
   const Edges edges = edges_along(inner, direction_rad);
-  const double across_m = edges.highest_m - edges.lowest_m;
+  double lowest_m = edges.lowest_m;
+  if (through_m) {
+    const double edge_m = *through_m - width_m / 2.0;
+    lowest_m = edge_m - width_m * std::ceil((edge_m - lowest_m - kBandEdge_m) / width_m);
+  }
+  const double across_m = edges.highest_m - lowest_m;
   const double lines = std::max(1.0, std::ceil((across_m - kBandEdge_m) / width_m));
   if (!(lines <= kMaxSwathLines)) {
     throw PlanInfeasible(
@@ -209,9 +215,10 @@ SwathGrid lay_swaths(const PolygonSet& inner, const PolygonSet& drivable, double
                     width_m, lines, across_m, kMaxSwathLines));
   }
   grid.lines = static_cast<int>(lines);
-  grid.spacing_m = across_m / lines;
-  grid.first_line_m = edges.lowest_m + grid.spacing_m / 2.0;
-  const std::vector<Intervals> extents = extents_in_bands(edges, grid.spacing_m, grid.lines);
+  grid.spacing_m = through_m ? width_m : across_m / lines;
+  grid.first_line_m = lowest_m + grid.spacing_m / 2.0;
+  const std::vector<Intervals> extents =
+      extents_in_bands(edges, lowest_m, grid.spacing_m, grid.lines);
   const std::vector<Intervals> open = cross_sections(edges_along(drivable, direction_rad),
                                                      grid.first_line_m, grid.spacing_m, grid.lines);
   for (int line = 0; line < grid.lines; ++line) {
@@ -230,16 +237,16 @@ SwathGrid lay_swaths(const PolygonSet& inner, const PolygonSet& drivable, double
 }
 
 SwathGrid best_swaths(const Field& field, const PolygonSet& inner, const PolygonSet& drivable,
-                      double width_m, double turning_radius_m, const CancelAsked& cancelled) {
-  const double turn_m = turn_length_m(width_m, turning_radius_m);
+                      double width_m, double bridge_m, const SwathGridCost& cost,
+                      const CancelAsked& cancelled) {
   SwathGrid best;
-  double best_cost_m = std::numeric_limits<double>::infinity();
+  double least_cost = std::numeric_limits<double>::infinity();
   for (const double direction_rad : directions_to_try(field)) {
     stop_if(cancelled);
-    SwathGrid grid = lay_swaths(inner, drivable, direction_rad, width_m, turn_m);
-    const double cost_m = length_m(grid) + turn_m * static_cast<double>(grid.swaths.size());
-    if (cost_m < best_cost_m * (1.0 - kSameCost) || best.lines == 0) {
-      best_cost_m = cost_m;
+    SwathGrid grid = lay_swaths(inner, drivable, direction_rad, width_m, bridge_m);
+    const double grid_cost = cost(grid);
+    if (grid_cost < least_cost * (1.0 - kSameCost) || best.lines == 0) {
+      least_cost = grid_cost;
       best = std::move(grid);
     }
   }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "planner/plan.h"
@@ -43,15 +45,20 @@ double turn_length_m(double width_m, double turning_radius_m);
 // left over of the last strip becomes an equal overlap of all, which tracking errors use up before
 // they leave gaps. A swath reaches as far as the ground anywhere across its strip does, not just on
 // its middle line, so slanted ends are covered. Swaths on one line are joined where the gap is at
-// most bridge_m and the line between them runs in `drivable`.
-// Throws PlanInfeasible for more than kMaxSwathLines lines.
+// most bridge_m and the line between them runs in `drivable`. With `through_m` one line, there or
+// extended, lies at that distance to the left of the origin of W, and lines are width_m apart:
+// those of a guidance line. Throws PlanInfeasible for more than kMaxSwathLines lines.
 SwathGrid lay_swaths(const PolygonSet& inner, const PolygonSet& drivable, double direction_rad,
-                     double width_m, double bridge_m);
+                     double width_m, double bridge_m,
+                     std::optional<double> through_m = std::nullopt);
 
-// The grid with the least length_m + turn_length_m per swath, over the directions of all edges of
-// the field (longest first) and kDirectionGrid_deg steps from the longest. Of equal ones the
-// first. Throws Cancelled.
+// What a grid of swaths costs, less being better (swath_objective.h).
+using SwathGridCost = std::function<double(const SwathGrid&)>;
+
+// The grid of least cost, over the directions of all edges of the field (longest first) and
+// kDirectionGrid_deg steps from the longest. Of equal ones the first. Throws Cancelled.
 SwathGrid best_swaths(const Field& field, const PolygonSet& inner, const PolygonSet& drivable,
-                      double width_m, double turning_radius_m, const CancelAsked& cancelled = {});
+                      double width_m, double bridge_m, const SwathGridCost& cost,
+                      const CancelAsked& cancelled = {});
 
 }  // namespace headland

@@ -22,6 +22,8 @@ constexpr double kZeroAngle_rad = 1e-9;
 constexpr double kZeroLength_m = 1e-9;
 // Swath ends further from level than this many radii are not levelled by a run-out.
 constexpr double kMaxLevelling = 6.0;
+// Gentle curves away from what is beside a line are this long, in turning radii.
+constexpr double kGentleLength = 0.7;
 
 using GearsOfArcs = std::array<Gear, 3>;
 constexpr Gear F = Gear::kForward;
@@ -130,6 +132,7 @@ void sort_by_cost(std::vector<Turn>& found) {
 }
 
 void keep_distinct(std::vector<Turn>& found) {
+  std::erase_if(found, [](const Turn& turn) { return has_odd_run(turn.arcs, true); });
   sort_by_cost(found);
   const auto same_arc = [](const Arc& a, const Arc& b) {
     return a.gear == b.gear && std::abs(a.curvature_per_m - b.curvature_per_m) < kZeroLength_m &&
@@ -150,6 +153,37 @@ void add_closed_forms(const Pose& from, const Pose& to, double radius_m, Gears g
   }
 }
 
+// Ways to leave a pose straight in `gear` and then, gently, forwards to one side; `meet_m` is where
+// an arc begins that leads on, if it is reached that way.
+std::vector<std::vector<Arc>> leads(Gear gear, double meet_m, double side, double radius_m) {
+  std::vector<double> lengths_m = {0.0, 0.7 * radius_m, 1.5 * radius_m, 2.5 * radius_m};
+  if (meet_m > 0.0 && meet_m < kMaxLevelling * radius_m) lengths_m.push_back(meet_m);
+  std::vector<std::vector<Arc>> found;
+  for (const double length_m : lengths_m) {
+    std::vector<Arc> lead;
+    if (length_m > 0.0) lead.push_back({length_m, 0.0, gear});
+    found.push_back(lead);
+    lead.push_back({kGentleLength * radius_m, side / (kGentleRadius * radius_m), F});
+    found.push_back(std::move(lead));
+  }
+  return found;
+}
+
+// The same way driven back: to where it began.
+std::vector<Arc> back_along(const std::vector<Arc>& lead) {
+  std::vector<Arc> back(lead.rbegin(), lead.rend());
+  for (Arc& arc : back) arc.gear = arc.gear == F ? B : F;
+  return back;
+}
+
+// How far ahead of a pose its line meets that of another one; 0 where they hardly cross.
+double meeting_m(const Pose& at, const Pose& other) {
+  const Eigen::Vector2d across = left_of(other.heading_rad);
+  const double rate = direction_of(at.heading_rad).dot(across);
+  constexpr double kHardly = 0.1;
+  return std::abs(rate) < kHardly ? 0.0 : (other.p_W - at.p_W).dot(across) / rate;
+}
+
 // None, some fractions of the radius, and what brings this end level with the other one.
 std::vector<double> run_outs_m(double level_m, double radius_m) {
   std::vector<double> lengths_m = {0.0, 0.5 * radius_m, radius_m, 2.0 * radius_m};
@@ -164,6 +198,22 @@ double cost_m(const std::vector<Arc>& arcs) {
          kCuspCost_m * cusp_count(arcs);
 }
 
+bool has_odd_run(const std::vector<Arc>& arcs, bool alone) {
+  double run_m = 0.0;
+  bool first = true;
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    run_m += arcs[i].length_m;
+    const bool last = i + 1 == arcs.size();
+    if (!last && arcs[i + 1].gear == arcs[i].gear) continue;
+    const bool goes_on = alone && (first || last) && arcs[i].gear == F;
+    if (run_m < kLeastRun_m && !goes_on) return true;
+    if (run_m > kLongestBacking_m && arcs[i].gear == B) return true;
+    first = false;
+    run_m = 0.0;
+  }
+  return false;
+}
+
 std::optional<Turn> reeds_shepp(const Pose& from, const Pose& to, double radius_m) {
   const auto path = reeds_shepp_path(from, to, radius_m);
   std::vector<Arc> arcs;
@@ -175,6 +225,7 @@ std::optional<Turn> reeds_shepp(const Pose& from, const Pose& to, double radius_
     const Gear gear = path.length_[i] < 0.0 ? Gear::kReverse : Gear::kForward;
     arcs.push_back({std::abs(path.length_[i]) * radius_m, side / radius_m, gear});
   }
+  if (has_odd_run(arcs, true)) return std::nullopt;
   return checked(from, to, std::move(arcs));
 }
 
@@ -218,6 +269,31 @@ std::vector<Turn> turns_with_run_outs(const Pose& from, const Pose& to, double r
         if (in_m > 0.0) arcs.push_back({in_m, 0.0, F});
         if (out_m > 0.0) arcs.insert(arcs.begin(), {out_m, 0.0, F});
         turn.cost_m = cost_m(arcs);
+        found.push_back(std::move(turn));
+      }
+    }
+  }
+  keep_distinct(found);
+  return found;
+}
+
+std::vector<Turn> backing_turns(const Pose& from, const Pose& to, double radius_m,
+                                const Aside& aside) {
+  const double turned_rad = std::abs(wrap_angle(to.heading_rad - from.heading_rad));
+  const double tangent_m = radius_m * std::tan(0.5 * std::min(turned_rad, 0.9 * std::numbers::pi));
+  std::vector<Turn> found;
+  std::vector<Turn> between;
+  for (const auto& out : leads(B, tangent_m - meeting_m(from, to), aside.from, radius_m)) {
+    const Pose start = end_of(from, out);
+    // Ways away from `to`, driven back.
+    for (const auto& away : leads(F, tangent_m + meeting_m(to, from), aside.to, radius_m)) {
+      const std::vector<Arc> in = back_along(away);
+      between.clear();
+      add_closed_forms(start, end_of(to, away), radius_m, Gears::kBoth, between);
+      for (Turn& turn : between) {
+        turn.arcs.insert(turn.arcs.begin(), out.begin(), out.end());
+        turn.arcs.insert(turn.arcs.end(), in.begin(), in.end());
+        turn.cost_m = cost_m(turn.arcs);
         found.push_back(std::move(turn));
       }
     }

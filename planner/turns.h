@@ -13,6 +13,14 @@ namespace headland {
 inline constexpr double kReverseMetreCost = 2.0;
 inline constexpr double kCuspCost_m = 5.0;
 
+// No turn goes less than this [m] in one gear between changes,
+inline constexpr double kLeastRun_m = 0.1;
+// or further in reverse.
+inline constexpr double kLongestBacking_m = 25.0;
+// Whether arcs do. `alone`: between passes, which are driven forwards, so that a short way forwards
+// at either end goes on from them.
+bool has_odd_run(const std::vector<Arc>& arcs, bool alone);
+
 struct Turn {
   std::vector<Arc> arcs;
   double cost_m = 0.0;
@@ -39,5 +47,19 @@ double reeds_shepp_length_m(const Pose& from, const Pose& to, double radius_m);
 // swath ends that are not level with each other, or boundaries askew to the swaths.
 std::vector<Turn> turns_with_run_outs(const Pose& from, const Pose& to, double radius_m,
                                       Gears gears = Gears::kBoth);
+
+// Turns that back away from `from` along its own line, and back into `to` along its own, with a
+// gentle curve away from what is beside the line: out of a corner that the front stands in, into
+// one that the next line begins in. `aside` says on which side of each pose there is more room, +1
+// for the left. Cheapest first.
+struct Aside {
+  double from = 1.0;
+  double to = 1.0;
+};
+std::vector<Turn> backing_turns(const Pose& from, const Pose& to, double radius_m,
+                                const Aside& aside);
+
+// Radius of those gentle curves, in turning radii: the rear corner swings out by a quarter then.
+inline constexpr double kGentleRadius = 4.0;
 
 }  // namespace headland

@@ -32,9 +32,7 @@ struct ArcLengthLine {
 ArcLengthLine arc_length_line(const std::vector<Vector2d>& points) {
   ArcLengthLine line;
   line.points = points;
-  const double gap_m = (points.front() - points.back()).norm();
-  line.ring = points.size() > 3 && gap_m < kRingGap_m;
-  if (line.ring && gap_m > 0.0) line.points.push_back(points.front());
+  line.ring = points.size() > 3 && points.front() == points.back();
   line.at_m.push_back(0.0);
   for (std::size_t i = 1; i < line.points.size(); ++i) {
     line.at_m.push_back(line.at_m.back() + (line.points[i] - line.points[i - 1]).norm());
@@ -80,6 +78,7 @@ PathPoint axle_point(const Pass& pass, const ArcLengthLine& line, double s_m) {
 WorkLine work_line(const Pass& pass, double implement_x_B_m) {
   WorkLine work;
   work.kind = pass.kind == PassKind::kSwath ? PathKind::kSwath : PathKind::kHeadlandPass;
+  work.optional = pass.optional;
   const ArcLengthLine line = arc_length_line(pass.points_W);
   const int steps = std::max(1, static_cast<int>(std::ceil(line.length_m() / kPathSpacing_m)));
   for (int i = 0; i <= steps; ++i) {

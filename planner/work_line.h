@@ -16,6 +16,9 @@ struct WorkLine {
   PathKind kind = PathKind::kSwath;
   std::vector<PathPoint> points;
   std::size_t run_in = 0;  // edges at its begin that are driven with the implement up
+  bool optional = false;   // as its pass
+  // Of optional lines: the pass driven the other way, as far as the hull fits; may be empty.
+  std::vector<PathPoint> other_way;
 };
 
 // The pass's line moved on by -implement_x_B_m along itself: an implement behind B's origin
@@ -37,8 +40,5 @@ void add_run_in(WorkLine& line, double length_m);
 PathPoint work_line_begin(const Pass& pass, double implement_x_B_m);
 
 inline constexpr double kSmoothing_m = 0.75;
-
-// Ends nearer than this make a line of more than two points a closed ring.
-inline constexpr double kRingGap_m = 1.0;
 
 }  // namespace headland

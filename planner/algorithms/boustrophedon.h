@@ -11,14 +11,16 @@ std::span<const ParameterSpec> boustrophedon_parameters();
 
 // 1. Headland: `headland_passes` rounds of the working width inside the boundary and around holes
 //    and obstacles (make_headland); auto takes as many as turning needs (rounds_for_turning).
-// 2. Swaths over the rest in `swath_direction_deg`, or in the best direction (best_swaths).
-// 3. Swaths cut by holes are grouped into cells, each driven up and down, in a short order
-//    (order_cells).
+// 2. Swaths over the rest in their direction (chosen_swaths).
+// 3. They are ordered by `swath_order` (ordered_swaths).
 // 4. Rounds are driven before the swaths, from the outermost inwards, or after them, from the
 //    innermost outwards, `headland_order` says which; each begins at its point, and runs in the
 //    direction, with the shortest Dubins curve from where the vehicle comes from.
-// Flat: the terrain is not looked at. Nothing is random: the seed is not used. Corners of the
-// field that a round cannot reach into with the turning radius stay unworked.
+// 5. With `headland_corners` rounded, corners of the field that a round cannot reach into with the
+//    turning radius stay unworked. Covered, rounds are passes into the corners (edge_round), and
+//    what they and the swaths leave is worked by passes of its own (fill_passes), both `optional`;
+//    they are driven last, or first with rounds that are. Who drives forward only has rounded ones.
+// Nothing is random: the seed is not used. The terrain tells with `swath_objective` energy alone.
 // Boundary and holes are taken as simplified() gives them.
 // Throws InputError for a working width or radius that is not a positive number, an implement or
 // vehicle wider than the field; PlanInfeasible when no round fits, swaths would be too many

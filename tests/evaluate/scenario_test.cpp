@@ -155,6 +155,28 @@ TEST_F(ScenarioTest, WritesEveryNumberAndThreshold) {
   }
 }
 
+TEST_F(ScenarioTest, AGuidanceLineIsReadWrittenAndBroughtToW) {
+  const std::string field =
+      "field: {boundary: [[11.5, 48.1], [11.502, 48.1], [11.502, 48.101], [11.5, 48.101]], "
+      "crs: EPSG:4326}\nvehicle: transplanter\n";
+  const Scenario scenario =
+      read(field + "planner: {ab_line: [[11.501, 48.1], [11.501, 48.101]]}\n");
+  ASSERT_TRUE(scenario.planner.ab_line);
+  EXPECT_EQ(read(scenario_yaml(scenario)).planner.ab_line, scenario.planner.ab_line);
+  const Stage stage = load_stage(scenario);
+  const PlanRequest request = plan_request(scenario, stage);
+  ASSERT_TRUE(request.ab_line_W);
+  // North through the middle, a thousandth of a degree of latitude long.
+  const auto& [a_W, b_W] = *request.ab_line_W;
+  EXPECT_NEAR(b_W.x() - a_W.x(), 0.0, 0.01);
+  EXPECT_NEAR(b_W.y() - a_W.y(), 111.2, 0.1);
+  EXPECT_TRUE(inside_field(stage.field, 0.5 * (a_W + b_W)));
+  EXPECT_THAT(refusal(field + "planner: {ab_line: [[11.501, 48.1]]}\n"),
+              HasSubstr("planner.ab_line: '1 points': two points, A and B"));
+  EXPECT_THAT(refusal(field + "planner: {name: grid_tplp, ab_line: [[1, 2], [3, 4]]}\n"),
+              HasSubstr("only of planners on fields"));
+}
+
 TEST_F(ScenarioTest, FilePathsStartAtTheScenarioAndBecomeAbsolute) {
   std::ofstream(folder_ / "boundary.geojson") << "{}";
   const Scenario scenario = read("field: {file: boundary.geojson}\nvehicle: transplanter\n");

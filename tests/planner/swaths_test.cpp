@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "planner/swath_objective.h"
 #include "tests/planner/field_shapes.h"
 
 namespace headland {
@@ -97,7 +98,8 @@ TEST(Swaths, StripsCoverAnyGroundInAnyDirection) {
 TEST(Swaths, BestDirectionOfARectangleIsItsLongSide) {
   const Field field = moved(field_of("r", rectangle_ring(0, 0, 200, 70)), 0.47, {30.0, -12.0});
   const PolygonSet inner = from_field(field);
-  const SwathGrid grid = best_swaths(field, inner, inner, 9.0, 5.0);
+  const SwathGrid grid =
+      best_swaths(field, inner, inner, 9.0, 0.0, length_and_turns(turn_length_m(9.0, 5.0)));
   EXPECT_NEAR(grid.direction_rad, 0.47, 1e-9);
   EXPECT_EQ(grid.lines, 8);
 }
@@ -109,7 +111,7 @@ TEST(Swaths, BestDirectionBeatsEveryOtherByItsOwnCost) {
   const auto cost_m = [&](const SwathGrid& grid) {
     return length_m(grid) + turn_m * static_cast<double>(grid.swaths.size());
   };
-  const double best_m = cost_m(best_swaths(field, inner, inner, 9.0, 5.0));
+  const double best_m = cost_m(best_swaths(field, inner, inner, 9.0, turn_m, cost_m));
   // The grid of directions tried turns with the field; between two of its steps the cost may be
   // lower by the part of a swath that half a degree saves.
   for (double angle_rad = 0.0; angle_rad < pi; angle_rad += 0.05) {

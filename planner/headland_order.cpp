@@ -1,0 +1,173 @@
+#include "planner/headland_order.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "planner/round_begin.h"
+#include "planner/turns.h"
+
+namespace headland {
+namespace {
+
+double heading_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
+
+Pose end_pose(const Pass& pass) {
+  const Polyline& line = pass.points_W;
+  return {line.back(), heading_of(line.back() - line[line.size() - 2])};
+}
+
+// How a round is best begun, and at what cost.
+struct RoundChoice {
+  RoundBegin begin;
+  double cost_m = std::numeric_limits<double>::infinity();
+};
+
+// Where a vehicle at the end of `before` best joins `round`: the shortest forward curve, or, where
+// nothing has been driven yet, the nearest point. Nothing that costs `enough_m` is looked for.
+RoundChoice best_begin(const Polyline& round, const Pass* before, const Eigen::Vector2d& from_W,
+                       double turning_radius_m, double enough_m) {
+  RoundChoice best;
+  const std::size_t count = round.size() - 1;
+  for (const RoundBegin& begin : round_begins(round, from_W)) {
+    const Eigen::Vector2d& p_W = round[begin.point];
+    double cost_m = (p_W - from_W).norm();
+    // No curve is shorter than the way as the crow flies, and the rest begins further away.
+    if (cost_m >= std::min(enough_m, best.cost_m)) break;
+    if (before != nullptr) {
+      const Eigen::Vector2d along =
+          round[begin.point + 1] - round[(begin.point + count - 1) % count];
+      const Pose to{p_W, heading_of(begin.reversed ? Eigen::Vector2d(-along) : along)};
+      cost_m = forward_length_m(end_pose(*before), to, turning_radius_m);
+    }
+    if (cost_m < best.cost_m) best = {begin, cost_m};
+  }
+  return best;
+}
+
+}  // namespace
+
+std::span<const ParameterSpec> headland_parameters() {
+  static const std::array<ParameterSpec, 2> kParameters{{
+      {"headland_passes",
+       std::string("auto"),
+       1.0,
+       20.0,
+       {"auto"},
+       "rounds along the boundary; auto: as many as turning needs",
+       true},
+      {"headland_order",
+       std::string("last"),
+       0.0,
+       0.0,
+       {"first", "last"},
+       "whether the rounds are driven before or after the swaths"},
+  }};
+  return kParameters;
+}
+
+int asked_rounds(const PlanRequest& request) {
+  const auto asked = number_unless_word(request.parameters, "headland_passes");
+  return asked ? static_cast<int>(*asked) : rounds_for_turning(request);
+}
+
+std::optional<Eigen::Vector2d> end_of(const std::vector<Pass>& passes,
+                                      const std::optional<Eigen::Vector2d>& entry_W) {
+  if (passes.empty()) return entry_W;
+  return passes.back().points_W.back();
+}
+
+// Rings of the boundary in the order of their rounds, and those around holes by nearness: before
+// the swaths the boundary comes first, after them last, next to where the field is left.
+void append_rings(const Headland& headland, bool inwards, const PlanRequest& request,
+                  std::vector<Pass>& passes) {
+  std::vector<const HeadlandRing*> left;
+  for (const HeadlandRing& ring : headland.rings) left.push_back(&ring);
+  const auto rank = [&](const HeadlandRing* ring) {
+    if (ring->around_hole) return inwards ? std::pair(1, 0) : std::pair(0, 0);
+    return inwards ? std::pair(0, ring->round) : std::pair(1, -ring->round);
+  };
+  while (!left.empty()) {
+    stop_if(request.cancelled);
+    const auto least = rank(*std::min_element(left.begin(), left.end(),
+                                              [&](auto* a, auto* b) { return rank(a) < rank(b); }));
+    std::vector<const HeadlandRing*> nearest;
+    std::ranges::copy_if(left, std::back_inserter(nearest),
+                         [&](const HeadlandRing* ring) { return rank(ring) == least; });
+    const Pass* before = passes.empty() ? nullptr : &passes.back();
+    // Without an entry any round will do to begin with: the first one at its first point.
+    const Eigen::Vector2d from_W =
+        end_of(passes, request.field.entry_W).value_or(nearest.front()->line_W.front());
+    const auto away_m = [&](const HeadlandRing* ring) {
+      return ring->box_W.exteriorDistance(from_W);
+    };
+    std::ranges::stable_sort(nearest, {}, away_m);
+    const HeadlandRing* next = nullptr;
+    RoundChoice choice;
+    for (const HeadlandRing* ring : nearest) {
+      if (away_m(ring) >= choice.cost_m) break;
+      const RoundChoice found =
+          best_begin(ring->line_W, before, from_W, request.turning_radius_m, choice.cost_m);
+      if (found.cost_m < choice.cost_m) {
+        choice = found;
+        next = ring;
+      }
+    }
+    passes.push_back({PassKind::kHeadlandPass, begun_at(next->line_W, choice.begin)});
+    std::erase(left, next);
+  }
+}
+
+// Passes of a ring follow each other around it, from the one that begins nearest on.
+void append_edge_passes(const std::vector<EdgePass>& edges, bool inwards,
+                        const PlanRequest& request, std::vector<Pass>& passes) {
+  std::vector<std::vector<const EdgePass*>> rings;
+  for (const EdgePass& edge : edges) {
+    const bool same = !rings.empty() && rings.back().front()->round == edge.round &&
+                      rings.back().front()->ring == edge.ring;
+    if (!same) rings.emplace_back();
+    rings.back().push_back(&edge);
+  }
+  const auto rank = [&](const std::vector<const EdgePass*>& ring) {
+    const EdgePass& edge = *ring.front();
+    if (edge.around_hole) return inwards ? std::pair(1, 0) : std::pair(0, 0);
+    return inwards ? std::pair(0, edge.round) : std::pair(1, -edge.round);
+  };
+  while (!rings.empty()) {
+    stop_if(request.cancelled);
+    const Pass* before = passes.empty() ? nullptr : &passes.back();
+    const auto least = rank(*std::ranges::min_element(rings, {}, rank));
+    const Eigen::Vector2d from_W =
+        end_of(passes, request.field.entry_W).value_or(rings.front().front()->line_W.front());
+    std::size_t next = rings.size();
+    std::size_t first = 0;
+    double nearest_m = std::numeric_limits<double>::infinity();
+    for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+      if (rank(rings[ring]) != least) continue;
+      for (std::size_t i = 0; i < rings[ring].size(); ++i) {
+        const double away_m = (rings[ring][i]->line_W.front() - from_W).norm();
+        if (away_m >= nearest_m) continue;
+        nearest_m = away_m;
+        next = ring;
+        first = i;
+      }
+    }
+    const std::vector<const EdgePass*> ring = std::move(rings[next]);
+    rings.erase(rings.begin() + static_cast<std::ptrdiff_t>(next));
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const EdgePass& edge = *ring[(first + i) % ring.size()];
+      Polyline line = edge.line_W;
+      if (edge.closed) {
+        const RoundChoice choice = best_begin(line, before, from_W, request.turning_radius_m,
+                                              std::numeric_limits<double>::infinity());
+        line = begun_at(line, choice.begin);
+      }
+      passes.push_back({PassKind::kHeadlandPass, std::move(line), true});
+    }
+  }
+}
+
+}  // namespace headland

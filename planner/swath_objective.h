@@ -1,0 +1,28 @@
+// What the direction of swaths is chosen by.
+#pragma once
+
+#include "planner/drive_cost.h"
+#include "planner/swaths.h"
+#include "terrains/heightfield.h"
+
+namespace headland {
+
+// Metres: all swaths, and turn_m from each to the next.
+SwathGridCost length_and_turns(double turn_m);
+
+// The fewest swaths, and so the fewest turns; of equally many the shortest together.
+SwathGridCost fewest_turns();
+
+// The shortest swaths together: the least ground worked twice.
+SwathGridCost least_length();
+
+// Wh from measured costs: along every swath by the slopes of the ground along and across it, the
+// mean of both ways as neighbours are driven in turn, and from each swath to the next the cheapest
+// turn between rows of that spacing. Slopes are taken kEnergyStep_m apart, further on grids longer
+// than kMostEnergySteps of these. `terrain` (null: flat) and `cost` must outlive the result; `cost`
+// has row turns. The ways to and from far swaths are not counted.
+SwathGridCost least_energy(const DriveCost& cost, const Heightfield* terrain);
+inline constexpr double kEnergyStep_m = 2.0;
+inline constexpr double kMostEnergySteps = 2e4;
+
+}  // namespace headland

@@ -1,0 +1,241 @@
+#include "planner/swath_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <unordered_map>
+#include <utility>
+
+#include "planner/turns.h"
+
+namespace headland {
+namespace {
+
+using Eigen::Vector2d;
+
+// Savings below this are rounding [m].
+constexpr double kLeastSaving_m = 1e-6;
+constexpr std::size_t kLongestStretch = 3;
+
+// Ends are counted 2 i (front) and 2 i + 1 (back of swath i); a swath driven from its end e is the
+// stop e, and is left by e ^ 1.
+using SwathStop = std::size_t;
+
+Pose pose_into(const Vector2d& at_W, const Vector2d& to_W) {
+  const Vector2d along = to_W - at_W;
+  return {at_W, std::atan2(along.y(), along.x())};
+}
+
+double turn_cost_m(const Pose& from, const Pose& to, const TurnCosts& costs) {
+  const double away_m = (to.p_W - from.p_W).norm();
+  const double half_circle_m = std::numbers::pi * costs.turning_radius_m;
+  if (away_m > kNearTurns * costs.turning_radius_m) return away_m + half_circle_m;
+  const auto found = turns(from, to, costs.turning_radius_m, costs.gears);
+  return found.empty() ? away_m + 2.0 * half_circle_m : found.front().cost_m;
+}
+
+class SwathLinks {
+ public:
+  SwathLinks(const std::vector<Pass>& swaths, const std::optional<Vector2d>& from_W,
+             const TurnCosts& costs)
+      : from_W_(from_W), costs_(costs) {
+    for (const Pass& swath : swaths) {
+      ends_W_.push_back(swath.points_W.front());
+      ends_W_.push_back(swath.points_W.back());
+    }
+  }
+  const std::vector<Vector2d>& ends_W() const { return ends_W_; }
+
+  double from_start_m(SwathStop to) const {
+    return from_W_ ? (ends_W_[to] - *from_W_).norm() : 0.0;
+  }
+  // Driving one and then the other; the same backwards, as curves and their costs are.
+  double between_m(SwathStop from, SwathStop to) {
+    const std::uint64_t left = from ^ 1U;
+    const std::uint64_t key =
+        std::min<std::uint64_t>(left, to) * ends_W_.size() + std::max<std::uint64_t>(left, to);
+    const auto known = known_m_.find(key);
+    if (known != known_m_.end()) return known->second;
+    const double cost_m =
+        turn_cost_m(pose_out_of(from), pose_into(ends_W_[to], ends_W_[to ^ 1U]), costs_);
+    known_m_.emplace(key, cost_m);
+    return cost_m;
+  }
+
+ private:
+  Pose pose_out_of(SwathStop stop) const {
+    const Pose in = pose_into(ends_W_[stop], ends_W_[stop ^ 1U]);
+    return {ends_W_[stop ^ 1U], in.heading_rad};
+  }
+
+  std::vector<Vector2d> ends_W_;
+  std::optional<Vector2d> from_W_;
+  TurnCosts costs_;
+  std::unordered_map<std::uint64_t, double> known_m_;
+};
+
+// Of each end the nearest ends of other swaths.
+std::vector<std::vector<std::size_t>> neighbours_of(const std::vector<Vector2d>& ends_W,
+                                                    const CancelAsked& cancelled) {
+  std::vector<std::vector<std::size_t>> neighbours(ends_W.size());
+  std::vector<std::pair<double, std::size_t>> others;
+  for (std::size_t end = 0; end < ends_W.size(); ++end) {
+    stop_if(cancelled);
+    others.clear();
+    for (std::size_t other = 0; other < ends_W.size(); ++other) {
+      if (other / 2 != end / 2) {
+        others.emplace_back((ends_W[other] - ends_W[end]).squaredNorm(), other);
+      }
+    }
+    const std::size_t count = std::min(kNeighbours, others.size());
+    std::ranges::partial_sort(others, others.begin() + static_cast<std::ptrdiff_t>(count));
+    for (std::size_t k = 0; k < count; ++k) neighbours[end].push_back(others[k].second);
+  }
+  return neighbours;
+}
+
+struct SwathTour {
+  SwathLinks& links;
+  std::vector<SwathStop> stops;
+  std::vector<std::size_t> place;  // of each swath among the stops
+
+  // From the stop before `at` to it.
+  double link_m(std::size_t at) const {
+    if (at == stops.size()) return 0.0;
+    return at == 0 ? links.from_start_m(stops[0]) : links.between_m(stops[at - 1], stops[at]);
+  }
+  // The same if other stops were driven there; none after the last.
+  double before_m(std::size_t at, SwathStop stop) const {
+    return at == 0 ? links.from_start_m(stop) : links.between_m(stops[at - 1], stop);
+  }
+  double after_m(SwathStop stop, std::size_t at) const {
+    return at == stops.size() ? 0.0 : links.between_m(stop, stops[at]);
+  }
+  void number(std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) place[stops[i] / 2] = i;
+  }
+  void reverse(std::size_t first, std::size_t end) {
+    const auto begin = stops.begin();
+    std::reverse(begin + static_cast<std::ptrdiff_t>(first),
+                 begin + static_cast<std::ptrdiff_t>(end));
+    for (std::size_t i = first; i < end; ++i) stops[i] ^= 1U;
+    number(first, end);
+  }
+};
+
+// Drives the stretch [first, end) backwards if that saves something.
+bool try_reversal(SwathTour& tour, std::size_t first, std::size_t end) {
+  if (first >= end) return false;
+  const double now_m = tour.link_m(first) + tour.link_m(end);
+  const double then_m =
+      tour.before_m(first, tour.stops[end - 1] ^ 1U) + tour.after_m(tour.stops[first] ^ 1U, end);
+  if (then_m > now_m - kLeastSaving_m) return false;
+  tour.reverse(first, end);
+  return true;
+}
+
+// Moves the stretch [first, end) to before the stop `to`, the other way round if asked, if that
+// saves something.
+bool try_move(SwathTour& tour, std::size_t first, std::size_t end, std::size_t to, bool reversed) {
+  if (to >= first && to <= end) return false;
+  const SwathStop head = reversed ? tour.stops[end - 1] ^ 1U : tour.stops[first];
+  const SwathStop tail = reversed ? tour.stops[first] ^ 1U : tour.stops[end - 1];
+  double saved_m = tour.link_m(first) + tour.link_m(end);
+  if (end < tour.stops.size()) saved_m -= tour.before_m(first, tour.stops[end]);
+  const double added_m = tour.before_m(to, head) + tour.after_m(tail, to) - tour.link_m(to);
+  if (added_m > saved_m - kLeastSaving_m) return false;
+  if (reversed) tour.reverse(first, end);
+  const auto at = [&](std::size_t i) {
+    return tour.stops.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  if (to < first) {
+    std::rotate(at(to), at(first), at(end));
+    tour.number(to, end);
+  } else {
+    std::rotate(at(first), at(end), at(to));
+    tour.number(first, to);
+  }
+  return true;
+}
+
+// SwathLinks from what is left at `at` to a near end, and from a near end to what is begun there.
+bool improve_by_reversal(SwathTour& tour, const std::vector<std::vector<std::size_t>>& neighbours,
+                         std::size_t at) {
+  for (const std::size_t near : neighbours[tour.stops[at] ^ 1U]) {
+    const std::size_t other = tour.place[near / 2];
+    if (other > at && (tour.stops[other] ^ 1U) == near && try_reversal(tour, at + 1, other + 1)) {
+      return true;
+    }
+  }
+  for (const std::size_t near : neighbours[tour.stops[at]]) {
+    const std::size_t other = tour.place[near / 2];
+    if (other < at && tour.stops[other] == near && try_reversal(tour, other, at)) return true;
+  }
+  return false;
+}
+
+bool improve_by_moving(SwathTour& tour, const std::vector<std::vector<std::size_t>>& neighbours,
+                       std::size_t at) {
+  for (std::size_t end = at + 1; end <= std::min(at + kLongestStretch, tour.stops.size()); ++end) {
+    for (const std::size_t near : neighbours[tour.stops[at]]) {
+      const std::size_t other = tour.place[near / 2];
+      const bool is_begin = tour.stops[other] == near;
+      if (try_move(tour, at, end, is_begin ? other : other + 1, is_begin)) return true;
+    }
+    for (const std::size_t near : neighbours[tour.stops[end - 1] ^ 1U]) {
+      const std::size_t other = tour.place[near / 2];
+      const bool is_begin = tour.stops[other] == near;
+      if (try_move(tour, at, end, is_begin ? other : other + 1, !is_begin)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+double link_cost_m(const Pass& from, const Pass& to, const TurnCosts& costs) {
+  const Pose out = pose_into(from.points_W.front(), from.points_W.back());
+  return turn_cost_m({from.points_W.back(), out.heading_rad},
+                     pose_into(to.points_W.front(), to.points_W.back()), costs);
+}
+
+double order_cost_m(const std::vector<Pass>& swaths, const std::optional<Vector2d>& from_W,
+                    const TurnCosts& costs) {
+  if (swaths.empty()) return 0.0;
+  double sum_m = from_W ? (swaths.front().points_W.front() - *from_W).norm() : 0.0;
+  for (std::size_t i = 1; i < swaths.size(); ++i) {
+    sum_m += link_cost_m(swaths[i - 1], swaths[i], costs);
+  }
+  return sum_m;
+}
+
+std::vector<Pass> optimised_order(std::vector<Pass> swaths, const std::optional<Vector2d>& from_W,
+                                  const TurnCosts& costs, const CancelAsked& cancelled) {
+  if (swaths.size() < 2) return swaths;
+  SwathLinks links(swaths, from_W, costs);
+  const auto neighbours = neighbours_of(links.ends_W(), cancelled);
+  SwathTour tour{links, {}, std::vector<std::size_t>(swaths.size())};
+  for (std::size_t i = 0; i < swaths.size(); ++i) tour.stops.push_back(2 * i);
+  tour.number(0, swaths.size());
+  try_reversal(tour, 0, swaths.size());
+  for (bool improved = true; improved;) {
+    improved = false;
+    for (std::size_t at = 0; at < tour.stops.size(); ++at) {
+      stop_if(cancelled);
+      while (improve_by_reversal(tour, neighbours, at) || improve_by_moving(tour, neighbours, at)) {
+        improved = true;
+      }
+    }
+  }
+  std::vector<Pass> ordered;
+  for (const SwathStop stop : tour.stops) {
+    Pass pass = std::move(swaths[stop / 2]);
+    if (stop % 2 == 1) std::ranges::reverse(pass.points_W);
+    ordered.push_back(std::move(pass));
+  }
+  return ordered;
+}
+
+}  // namespace headland

@@ -1,0 +1,60 @@
+// What of a field is worked so far, cell by cell.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "planner/scanline.h"
+#include "terrains/field.h"
+
+namespace headland {
+
+enum class GroundState : std::uint8_t { kOutside, kToWork, kWorked };
+
+// Cell (i, j) has its centre at origin_W + cell_m * (i + 0.5, j + 0.5) and is all what its centre
+// is; around the field lies at least one cell outside it.
+struct WorkedGround {
+  Eigen::Vector2d origin_W = Eigen::Vector2d::Zero();
+  double cell_m = 0.25;
+  int columns = 0;
+  int rows = 0;
+  std::vector<GroundState> cells;  // row by row
+
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  }
+  Eigen::Vector2d centre_W(int column, int row) const {
+    return origin_W + cell_m * Eigen::Vector2d(column + 0.5, row + 0.5);
+  }
+  Scanline scratch;  // of the functions below
+};
+
+// Nothing worked yet; holes and obstacles are outside. Cells of kGroundCell_m, larger where the
+// field's bounding box would take more than kMostGroundCells.
+WorkedGround ground_to_work(const Field& field);
+inline constexpr double kGroundCell_m = 0.2;
+inline constexpr double kMostGroundCells = 3e7;
+
+GroundState state_at(const WorkedGround& ground, const Eigen::Vector2d& p_W);
+
+// Corners of the ground that a bar covers between two places, in order around it.
+using Quadrangle = std::array<Eigen::Vector2d, 4>;
+Quadrangle between_bars(const Eigen::Vector2d& from_W, const Eigen::Vector2d& to_W,
+                        const Eigen::Vector2d& half_bar_from, const Eigen::Vector2d& half_bar_to);
+
+// Works the cells in it; the area [m2] that was still to be worked. What sticks out of the raster
+// is left out.
+double work(WorkedGround& ground, const Quadrangle& quadrangle);
+// That area alone.
+double to_work_m2(WorkedGround& ground, const Quadrangle& quadrangle);
+
+// All that is left to work [m2].
+double to_work_m2(const WorkedGround& ground);
+
+// What a bar of `width_m` covers when its middle is pulled along `line_W`, square to it.
+double work_along(WorkedGround& ground, const std::vector<Eigen::Vector2d>& line_W, double width_m);
+
+}  // namespace headland

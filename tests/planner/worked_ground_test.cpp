@@ -1,0 +1,46 @@
+#include "planner/worked_ground.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/planner/field_shapes.h"
+
+namespace headland {
+namespace {
+
+// Cells are in or out as their centres are: along a line half a cell of it may be told wrongly.
+double slack_m2(const WorkedGround& ground, double edges_m) { return ground.cell_m * edges_m; }
+
+std::ptrdiff_t to_work_cells(const WorkedGround& ground) {
+  return std::ranges::count(ground.cells, GroundState::kToWork);
+}
+
+TEST(WorkedGround, IsTheFieldWithoutHolesAndObstacles) {
+  Field field = field_of("square", rectangle_ring(0, 0, 40, 30));
+  field.holes.push_back(reversed(rectangle_ring(10, 10, 20, 15)));
+  field.obstacles.push_back({ObstacleKind::kTree, {30, 20}, 2.0, 5.0});
+  const WorkedGround ground = ground_to_work(field);
+  const double area_m2 = static_cast<double>(to_work_cells(ground)) * ground.cell_m * ground.cell_m;
+  EXPECT_NEAR(area_m2, 40.0 * 30.0 - 50.0 - kPi * 4.0, slack_m2(ground, 140 + 30 + 13));
+  EXPECT_EQ(state_at(ground, {15, 12}), GroundState::kOutside);
+  EXPECT_EQ(state_at(ground, {30, 21}), GroundState::kOutside);
+  EXPECT_EQ(state_at(ground, {-5, 300}), GroundState::kOutside);
+  EXPECT_EQ(state_at(ground, {5, 5}), GroundState::kToWork);
+}
+
+TEST(WorkedGround, CountsWhatIsWorkedOnce) {
+  WorkedGround ground = ground_to_work(field_of("square", rectangle_ring(0, 0, 40, 30)));
+  const std::vector<Eigen::Vector2d> line{{5, 10}, {25, 10}};
+  const Eigen::Vector2d half_bar(0.0, 2.0);
+  const Quadrangle strip = between_bars(line[0], line[1], half_bar, half_bar);
+  EXPECT_NEAR(to_work_m2(ground, strip), 80.0, slack_m2(ground, 48));
+  EXPECT_NEAR(work_along(ground, line, 4.0), 80.0, slack_m2(ground, 48));
+  EXPECT_EQ(state_at(ground, {10, 11}), GroundState::kWorked);
+  EXPECT_EQ(work_along(ground, line, 4.0), 0.0);
+  // Half of it lies beside the first, a quarter outside the field.
+  EXPECT_NEAR(work_along(ground, {{5, 14}, {45, 14}}, 4.0), 35.0 * 4.0, slack_m2(ground, 78));
+}
+
+}  // namespace
+}  // namespace headland
