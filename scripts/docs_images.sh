@@ -28,3 +28,23 @@ cp "$results/grid/field.png" docs/images/grid_drive.png
 build/headland job examples/job.yaml -o "$results/job" --quiet
 build/headland audit "$results/job/scenario.yaml" --path "$results/job/path.geojson" -o "$results/job_audit" --quiet
 cp "$results/job_audit/audit.png" docs/images/job.png
+
+# docs/planning.md: the same field by other parameters of its planner, which stand on its last line.
+planning() {
+  local name=$1 scenario=$2
+  build/headland plan "$scenario" -o "$results/$name" --quiet
+  build/headland audit "$results/$name/scenario.yaml" --path "$results/$name/path.geojson" \
+    -o "$results/${name}_audit" --quiet
+  cp "$results/${name}_audit/audit.png" "docs/images/planning_$name.png"
+}
+with() {
+  sed "s/headland_corners: covered/$2/" examples/irregular.yaml >"$results/$1.yaml"
+  planning "$1" "$results/$1.yaml"
+}
+planning covered examples/irregular.yaml
+with rounded "headland_corners: rounded"
+with ab_line "ab_line: [[20, 20], [120, 90]]"
+with skip "swath_order: skip"
+with spiral "swath_order: spiral"
+with optimised "swath_order: optimised"
+planning parts examples/two_arms.yaml
