@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kLengthDecimals = 3;
-constexpr int kAngleDecimals = 9;
+constexpr int kPlanAngleDecimals = 9;
 constexpr std::string_view kViolation = "violation";
 
 [[noreturn]] void refuse(const std::filesystem::path& file, std::size_t index,
@@ -77,8 +77,8 @@ GeoFeature feature_of(const PathSegment& segment) {
   Json curvatures = Json::array();
   for (const PathPoint& point : segment.points) {
     feature.points_W.push_back(point.p_W);
-    headings.push_back(rounded(point.heading_rad, kAngleDecimals));
-    curvatures.push_back(rounded(point.curvature_per_m, kAngleDecimals));
+    headings.push_back(rounded(point.heading_rad, kPlanAngleDecimals));
+    curvatures.push_back(rounded(point.curvature_per_m, kPlanAngleDecimals));
   }
   feature.properties["kind"] = path_kind_name(segment.kind);
   feature.properties["gear"] = gear_name(segment.gear);
@@ -116,7 +116,7 @@ PathSegment segment_of(const GeoCollection& collection, std::size_t index,
 std::string plan_geojson(const Plan& plan, const GeoFrame& frame) {
   GeoCollection collection;
   collection.about["planner"] = plan.planner;
-  collection.about["swath_direction_rad"] = rounded(plan.swath_direction_rad, kAngleDecimals);
+  collection.about["swath_direction_rad"] = rounded(plan.swath_direction_rad, kPlanAngleDecimals);
   collection.about["headland_width_m"] = rounded(plan.headland_width_m, kLengthDecimals);
   collection.about["planned_length_m"] = rounded(plan.planned_length_m, kLengthDecimals);
   for (const Pass& pass : plan.passes) {

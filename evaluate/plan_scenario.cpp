@@ -40,14 +40,17 @@ GridPlan planned_on_grid(const Scenario& scenario, const Stage& stage,
   }
 }
 
-std::optional<DriveCost> cost_of(const Scenario& scenario, const Stage& stage,
-                                 std::vector<std::string>& notes) {
-  if (scenario.planner.cost_file.empty()) return std::nullopt;
-  return read_drive_cost(scenario.planner.cost_file, stage.vehicle, soil_text(scenario.soil),
-                         notes);
+std::optional<DriveCost> read_if_given(const std::filesystem::path& file, const Scenario& scenario,
+                                       const Stage& stage, std::vector<std::string>& notes) {
+  if (file.empty()) return std::nullopt;
+  return read_drive_cost(file, stage.vehicle, soil_text(scenario.soil), notes);
 }
 
-void predict_by(const std::optional<DriveCost>& cost, const Stage& stage, PlanResult& result) {
+void predict_by(const Scenario& scenario, std::optional<DriveCost> cost, const Stage& stage,
+                PlanResult& result) {
+  if (!scenario.planner.predict_file.empty()) {
+    cost = read_if_given(scenario.planner.predict_file, scenario, stage, result.notes);
+  }
   if (cost) result.predicted = predicted_energy(result.path, &stage.terrain, *cost);
 }
 
@@ -56,7 +59,8 @@ void predict_by(const std::optional<DriveCost>& cost, const Stage& stage, PlanRe
 PlanResult plan_scenario(const Scenario& scenario, const Stage& stage,
                          const CancelAsked& cancelled) {
   PlanResult made;
-  const std::optional<DriveCost> cost = cost_of(scenario, stage, made.notes);
+  const std::optional<DriveCost> cost =
+      read_if_given(scenario.planner.cost_file, scenario, stage, made.notes);
   if (stage.grid) {
     made.grid_plan = planned_on_grid(scenario, stage, cost, cancelled);
     made.grid_drive = make_grid_path(stage.field, stage.vehicle, *stage.grid, *made.grid_plan,
@@ -67,12 +71,14 @@ PlanResult plan_scenario(const Scenario& scenario, const Stage& stage,
     made.plan = planned(scenario, stage, cost, cancelled);
     made.path = make_path(stage.field, stage.vehicle, made.plan, scenario.path, cancelled);
   }
-  predict_by(cost, stage, made);
+  predict_by(scenario, cost, stage, made);
   return made;
 }
 
 void predict(const Scenario& scenario, const Stage& stage, PlanResult& result) {
-  predict_by(cost_of(scenario, stage, result.notes), stage, result);
+  predict_by(scenario,
+             read_if_given(scenario.planner.cost_file, scenario, stage, result.notes), stage,
+             result);
 }
 
 }  // namespace headland

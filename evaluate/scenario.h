@@ -27,6 +27,8 @@ struct PlannerChoice {
   // A and B of a guidance line, in the CRS of the field's other points; planners on fields alone.
   std::optional<std::array<Eigen::Vector2d, 2>> ab_line;
   std::filesystem::path cost_file;  // measured costs to plan by; empty: none
+  // Measured costs that only tell the path's energy; empty: those planned by, if any.
+  std::filesystem::path predict_file;
 };
 
 struct Scenario {

@@ -135,6 +135,7 @@ constexpr std::string_view kOtherKeys[] = {
     "planner.end",
     "planner.closed",
     "planner.direction_deg",
+    "planner.predict",
     "planner.cost",
     "planner.cost.file",
     "planner.cost.objective",

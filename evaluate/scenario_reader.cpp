@@ -283,7 +283,11 @@ PlannerChoice read_planner(const YamlSection& top) {
   refuse_unknown_keys(section, known);
   choice.parameters = read_parameters(section, parameters);
   if (check != nullptr) check(choice.parameters, top.source, place_of_itself(section));
-  choice.cost_file = read_cost_file(section, fs::absolute(top.source).parent_path());
+  const fs::path folder = fs::absolute(top.source).parent_path();
+  choice.cost_file = read_cost_file(section, folder);
+  if (const auto predict = read_word(section, "predict", "a file")) {
+    choice.predict_file = (folder / *predict).lexically_normal();
+  }
   choice.ab_line = read_ab_line(section);
   if (choice.grid) {
     if (choice.ab_line) {

@@ -149,6 +149,9 @@ std::string scenario_yaml(const Scenario& given) {
       out << YAML::Key << "ab_line" << YAML::Value << YAML::Flow;
       emit(out, Ring(line->begin(), line->end()));
     }
+    if (!scenario.planner.predict_file.empty()) {
+      emit(out, "predict", scenario.planner.predict_file.string());
+    }
     const std::filesystem::path& cost_file = scenario.planner.cost_file;
     if (scenario.planner.grid) {
       emit_grid_planning(out, *scenario.planner.grid, cost_file);

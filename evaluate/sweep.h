@@ -14,6 +14,8 @@
 
 namespace headland {
 
+struct YamlSection;
+
 struct SweptTerrain {
   std::string label;
   TerrainSource source;
@@ -40,6 +42,7 @@ struct Sweep {
 // Every key: docs/sweep.md. Throws InputError with file, line and key as read_scenario, and for a
 // matrix of more than kMostCells.
 Sweep read_sweep(const std::filesystem::path& file);
+Sweep read_sweep(const YamlSection& top);  // the same as a part of another file
 inline constexpr std::size_t kMostCells = 1'000'000;
 
 // The runs of the matrix, the last in this list changing first: field, terrain, vehicle, planner,

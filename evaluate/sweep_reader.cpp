@@ -228,8 +228,10 @@ void read_matrix(const YamlSection& top, const fs::path& folder, Sweep& sweep) {
 
 }  // namespace
 
-Sweep read_sweep(const fs::path& file) {
-  const YamlSection top = read_yaml(file);
+Sweep read_sweep(const fs::path& file) { return read_sweep(read_yaml(file)); }
+
+Sweep read_sweep(const YamlSection& top) {
+  const fs::path file = top.source;
   refuse_unknown_keys(top, kTopKeys);
   const fs::path folder = fs::absolute(file).parent_path();
   Sweep sweep;
