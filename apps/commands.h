@@ -32,6 +32,7 @@ void add_report_command(CLI::App& app, int& exit_code);
 void add_measure_command(CLI::App& app, int& exit_code);
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_sweep_command(CLI::App& app, int& exit_code);
+void add_tune_command(CLI::App& app, int& exit_code);
 void add_query_command(CLI::App& app, int& exit_code);
 void add_merge_command(CLI::App& app, int& exit_code);
 void add_list_command(CLI::App& app, int& exit_code);
@@ -43,8 +44,9 @@ struct CommonOptions {
   std::string folder;
   std::optional<std::uint64_t> seed;
   std::optional<double> record_hz;
-  std::string size;  // "WxH"; empty: the pictures' default
-  std::string cost;  // file with measured costs; empty: the scenario's
+  std::string size;     // "WxH"; empty: the pictures' default
+  std::string cost;     // file with measured costs; empty: the scenario's
+  std::string weights;  // file with weights of a fitness; empty: the scenario's
   bool allow_overrun = false;
   bool json = false;
   bool quiet = false;
@@ -57,6 +59,7 @@ void add_scenario_options(CLI::App& command, CommonOptions& options);
 std::string whole_number_fault(const std::string& given);
 
 void add_cost_option(CLI::App& command, std::string& file);
+void add_weights_option(CLI::App& command, std::string& file);
 void add_record_option(CLI::App& command, CommonOptions& options);
 void add_size_option(CLI::App& command, CommonOptions& options);
 

@@ -53,6 +53,7 @@ void add_evaluate_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", options->folder, "Folder for the results")->required();
   add_scenario_options(*command, *options);
   add_cost_option(*command, options->cost);
+  add_weights_option(*command, options->weights);
   add_record_option(*command, *options);
   add_size_option(*command, *options);
   command->footer(

@@ -49,6 +49,7 @@ int run(int argc, char** argv) {
   headland::add_measure_command(app, exit_code);
   headland::add_compare_command(app, exit_code);
   headland::add_sweep_command(app, exit_code);
+  headland::add_tune_command(app, exit_code);
   headland::add_query_command(app, exit_code);
   headland::add_merge_command(app, exit_code);
   headland::add_list_command(app, exit_code);

@@ -9,6 +9,7 @@
 #include "apps/terminal_text.h"
 #include "evaluate/coverage.h"
 #include "evaluate/results.h"
+#include "evaluate/tuned_weights.h"
 #include "terrains/input_error.h"
 #include "terrains/input_file.h"
 
@@ -45,6 +46,11 @@ void add_cost_option(CLI::App& command, std::string& file) {
                      "Plan by measured costs (costs.yaml of 'headland measure'; docs/costs.md)");
 }
 
+void add_weights_option(CLI::App& command, std::string& file) {
+  command.add_option("--weights", file,
+                     "Plan by these weights (weights.yaml of 'headland tune'; docs/tune.md)");
+}
+
 void add_record_option(CLI::App& command, CommonOptions& options) {
   command.add_option("--record-hz", options.record_hz, "Rows a second of run.csv");
 }
@@ -75,6 +81,13 @@ Job make_job(const std::filesystem::path& file, const std::filesystem::path& fol
     const std::filesystem::path costs = std::filesystem::absolute(options.cost).lexically_normal();
     require_file(costs);
     plan_by_costs(costs, job.scenario.planner);
+  }
+  if (!options.weights.empty()) {
+    if (!options.cost.empty()) {
+      throw InputError("--weights", "", options.weights, "not with --cost: one or the other");
+    }
+    require_file(options.weights);
+    plan_by_weights(options.weights, job.scenario.planner);
   }
   job.stage = load_stage(job.scenario);
   check_coverage_size(job.stage.field, job.scenario.working_width_m, job.scenario.coverage_cell_m,

@@ -43,6 +43,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", options->folder, "Folder for the results")->required();
   add_scenario_options(*command, *options);
   add_cost_option(*command, options->cost);
+  add_weights_option(*command, options->weights);
   command->footer(
       "Example:\n  headland plan examples/demo.yaml -o out/plan\n\n"
       "Writes scenario.yaml, plan.geojson and path.geojson; 'headland drive out/plan' goes on.\n"

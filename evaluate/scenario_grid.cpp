@@ -24,7 +24,19 @@ void emit_number(YAML::Emitter& out, const char* key, Number value) {
   out << YAML::Key << key << YAML::Value << fmt::format("{}", value);
 }
 
-void emit_cost(YAML::Emitter& out, const GridCost& cost, const std::filesystem::path& file) {
+// What is no limit is left out.
+void emit_stop(YAML::Emitter& out, const SearchStop& stop) {
+  out << YAML::Key << "stop" << YAML::Value << YAML::BeginMap;
+  emit_number(out, "iterations", stop.iterations);
+  if (stop.evaluations > 0) emit_number(out, "evaluations", stop.evaluations);
+  if (stop.seconds > 0.0) emit_number(out, "seconds", stop.seconds);
+  if (stop.stagnation > 0) emit_number(out, "stagnation", stop.stagnation);
+  out << YAML::EndMap;
+}
+
+}  // namespace
+
+void emit_grid_cost(YAML::Emitter& out, const GridCost& cost, const std::filesystem::path& file) {
   out << YAML::Key << "cost" << YAML::Value << YAML::BeginMap;
   if (!file.empty()) out << YAML::Key << "file" << YAML::Value << file.string();
   out << YAML::Key << "objective" << YAML::Value
@@ -44,18 +56,6 @@ void emit_cost(YAML::Emitter& out, const GridCost& cost, const std::filesystem::
   }
   out << YAML::EndMap;
 }
-
-// What is no limit is left out.
-void emit_stop(YAML::Emitter& out, const SearchStop& stop) {
-  out << YAML::Key << "stop" << YAML::Value << YAML::BeginMap;
-  emit_number(out, "iterations", stop.iterations);
-  if (stop.evaluations > 0) emit_number(out, "evaluations", stop.evaluations);
-  if (stop.seconds > 0.0) emit_number(out, "seconds", stop.seconds);
-  if (stop.stagnation > 0) emit_number(out, "stagnation", stop.stagnation);
-  out << YAML::EndMap;
-}
-
-}  // namespace
 
 GridPlanning read_grid_planning(const YamlSection& section) {
   GridPlanning planning;
@@ -104,7 +104,7 @@ void emit_grid_planning(YAML::Emitter& out, const GridPlanning& planning,
   emit_cell("end", planning.end);
   out << YAML::Key << "closed" << YAML::Value << (planning.closed ? "true" : "false");
   emit_number(out, "direction_deg", planning.direction_deg);
-  emit_cost(out, planning.cost, cost_file);
+  emit_grid_cost(out, planning.cost, cost_file);
   emit_stop(out, planning.stop);
 }
 

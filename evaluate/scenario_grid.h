@@ -36,6 +36,9 @@ void refuse_grid_planning(const YamlSection& section);
 std::filesystem::path read_cost_file(const YamlSection& section,
                                      const std::filesystem::path& folder);
 
+// The section `cost`. `file`: the measured costs, or empty.
+void emit_grid_cost(YAML::Emitter& out, const GridCost& cost, const std::filesystem::path& file);
+
 // `cost_file`: the measured costs, or empty.
 void emit_grid_planning(YAML::Emitter& out, const GridPlanning& planning,
                         const std::filesystem::path& cost_file);

@@ -13,7 +13,7 @@ packages=(
   # maps, geometry, curves
   libgdal-dev libgeos-dev libompl-dev
   # numerics
-  libboost-dev libtbb-dev
+  libboost-dev libtbb-dev libpagmo-dev
   # files and the command line
   liburdfdom-dev libtinyxml-dev libpugixml-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev
   # runs as data

@@ -1,0 +1,161 @@
+#include "evaluate/tuning.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "evaluate/plan_scenario.h"
+#include "evaluate/tuned_weights.h"
+#include "evaluate/tuning_file.h"
+#include "tests/evaluate/made_up_costs.h"
+#include "tests/terrains/refusal.h"
+#include "tests/terrains/scratch_folder.h"
+
+namespace headland {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+const std::string kHead =
+    "vehicle: transplanter\n"
+    "costs: costs.yaml\n"
+    "forms: [tractor, length, measured]\n"
+    "planner: {name: grid_local_search, stop: {iterations: 3}}\n"
+    "plans: {planners: [grid_boustrophedon, grid_local_search], variations: 4, iterations: 3}\n"
+    "bootstrap: 100\n"
+    "shuffles: 1\n"
+    "simulation: {rate_hz: 60, record_hz: 1}\n"
+    "coverage: {cell_m: 1}\n";
+const std::string kTerrain =
+    "  terrains: {hill: {generator: rolling, amplitude_m: 0.5, wavelength_m: 30, cell_m: 1}}\n";
+const std::string kTraining = "training:\n  fields: {square: {grid_map: square.txt}}\n" + kTerrain;
+const std::string kHeldOut = "held_out:\n  fields: {hook: {grid_map: hook.txt}}\n" + kTerrain;
+
+class TuningTest : public ScratchFolder {
+ protected:
+  void SetUp() override {
+    written("square.txt", "....\n....\n....\n");
+    written("hook.txt", "....\n.#..\n....\n");
+    written("costs.yaml", cost_table_yaml(made_up_table()));
+  }
+  std::string said(const std::string& text) const {
+    return refusal([&] { read_tuning(written("tune.yaml", text)); });
+  }
+};
+
+TEST_F(TuningTest, RefusesSetsThatProveNothing) {
+  EXPECT_EQ(said(kHead + kTraining + kHeldOut), "accepted");
+  EXPECT_THAT(said(kHead + kTraining), HasSubstr("held_out: missing: weights are fitted on"));
+  EXPECT_THAT(said(kHead + kHeldOut), HasSubstr("training: missing: "));
+  // The same map under another name and in another file.
+  written("copy.txt", "....\n....\n....\n");
+  EXPECT_THAT(said(kHead + kTraining + "held_out: {fields: {other: {grid_map: copy.txt}}}\n"),
+              HasSubstr("held_out.fields: 'other': fields that are not in training are needed; "
+                        "this is its square"));
+}
+
+TEST_F(TuningTest, RefusesWhatItCannotTune) {
+  const std::string sets = kTraining + kHeldOut;
+  EXPECT_THAT(said(sets), HasSubstr("vehicle: missing"));
+  EXPECT_THAT(said("vehicle: transplanter\nplanner: {name: boustrophedon}\n" + sets),
+              HasSubstr("a planner on grid maps is needed: others have no weights"));
+  EXPECT_THAT(said("vehicle: transplanter\nforms: [weigted]\n" + sets),
+              HasSubstr("forms: 'weigted': one of weighted, tractor, length, measured"));
+  EXPECT_THAT(said("vehicle: transplanter\nplans: {planners: [grid_igga]}\n" + sets),
+              HasSubstr("unknown planner; the nearest is grid_iga"));
+  EXPECT_THAT(
+      said("vehicle: transplanter\nplanner: {name: grid_iga, cost: {objective: length}}\n" + sets),
+      HasSubstr("planner.cost: what is tuned is not given"));
+  EXPECT_THAT(said("vehicle: transplanter\nserch: {evaluations: 3}\n" + sets), HasSubstr("search"));
+  EXPECT_THAT(said("vehicle: transplanter\nbootstrap: 1\n" + sets), HasSubstr("bootstrap"));
+}
+
+TEST_F(TuningTest, EveryKeyIsDocumented) {
+  std::ifstream stream(HEADLAND_SOURCE_DIR "/docs/tune.md");
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  for (const std::string& key : tuning_key_paths()) {
+    EXPECT_THAT(text, HasSubstr("`" + key + "`"));
+  }
+}
+
+// Drives a tiny tuning, and again with the same store, which drives nothing.
+TEST_F(TuningTest, FitsAndProvesAndGoesOnWhereItWas) {
+  const Tuning tuning = read_tuning(written("tune.yaml", kHead + kTraining + kHeldOut));
+  RunStore store;
+  open_run_store(path("runs.db"), DatabaseMode::kWrite, store);
+  const TuneResult result = run_tuning(tuning, store, {});
+  EXPECT_EQ(result.training.runs, 5);  // rows, and four searches
+  EXPECT_EQ(result.training.driven_now, 5);
+  EXPECT_EQ(result.training.faults, 0) << result.training.why.front();
+  ASSERT_THAT(result.forms, SizeIs(3));
+  EXPECT_EQ(result.best_label, "Wang et al. fitted");
+  std::vector<std::string> methods;
+  for (const MethodFigures& figures : result.figures) methods.push_back(figures.method);
+  EXPECT_THAT(methods,
+              ElementsAre("boustrophedon", "length", "Wu et al. weights", "Wang et al. weights",
+                          "Wang et al. fitted", "measured costs", "shuffled 1"));
+  const Saving* saving = energy_saving(result.figures[5], methods::kRows);
+  ASSERT_NE(saving, nullptr);
+  EXPECT_EQ(saving->blocks, 1);
+  for (const PlanRun& plan : result.held_out_plans) EXPECT_GT(plan.predicted_wh, 0.0);
+
+  const TuneResult again = run_tuning(tuning, store, {});
+  EXPECT_EQ(again.training.driven_now + again.held_out.driven_now, 0);
+  EXPECT_EQ(tuning_json(tuning, again, "1"), tuning_json(tuning, result, "1"));
+}
+
+TEST_F(TuningTest, EndsEarlyWhenAsked) {
+  const Tuning tuning = read_tuning(written("tune.yaml", kHead + kTraining + kHeldOut));
+  RunStore store;
+  open_run_store(path("runs.db"), DatabaseMode::kWrite, store);
+  TuneOptions options;
+  options.cancelled = [] { return true; };
+  EXPECT_THROW(run_tuning(tuning, store, options), Cancelled);
+}
+
+// The same plan as without costs, in steps, and its energy besides.
+TEST_F(TuningTest, TellsEnergyWithoutPlanningByIt) {
+  const std::filesystem::path file =
+      written("scenario.yaml",
+              "vehicle: transplanter\nfield: {grid_map: square.txt}\n"
+              "planner: {name: grid_boustrophedon, predict: costs.yaml}\n");
+  const Scenario scenario = read_scenario(file);
+  const PlanResult planned = plan_scenario(scenario, load_stage(scenario));
+  EXPECT_EQ(planned.grid_plan->cost, planned.grid_plan->counts.steps);
+  ASSERT_TRUE(planned.predicted.has_value());
+  EXPECT_GT(planned.predicted->energy_wh, 0.0);
+  const Scenario again = read_scenario(written("again.yaml", scenario_yaml(scenario)));
+  EXPECT_EQ(again.planner.predict_file, scenario.planner.predict_file);
+}
+
+TEST_F(TuningTest, WeightsGoIntoAFileAndBack) {
+  GridCost cost;
+  cost.objective = GridObjective::kWeighted;
+  cost.weights = {0.25, 1.0 / 3.0, 4.0};
+  PlannerChoice planner;
+  planner.name = "grid_iga";
+  planner.grid.emplace();
+  planner.cost_file = "costs.yaml";
+  const std::filesystem::path file = written("weights.yaml", weights_yaml(cost, "a\nb"));
+  plan_by_weights(file, planner);
+  EXPECT_EQ(planner.grid->cost.objective, GridObjective::kWeighted);
+  EXPECT_EQ(planner.grid->cost.weights.turn, cost.weights.turn);
+  EXPECT_TRUE(planner.cost_file.empty());
+
+  PlannerChoice rows;
+  EXPECT_THAT(refusal([&] { plan_by_weights(file, rows); }),
+              HasSubstr("only for planners on grid maps; boustrophedon has no weights"));
+  const auto said_of = [&](const std::string& text) {
+    return refusal([&] { plan_by_weights(written("bad.yaml", text), planner); });
+  };
+  EXPECT_THAT(said_of("cost: {objective: weighted, turn: -1}\n"), HasSubstr("cost.turn: '-1'"));
+  EXPECT_THAT(said_of("weights: {}\n"), HasSubstr("weights"));
+  EXPECT_THAT(said_of("cost: {file: costs.yaml}\n"), HasSubstr("measured costs go by --cost"));
+}
+
+}  // namespace
+}  // namespace headland
