@@ -68,8 +68,9 @@ void add_size_option(CLI::App& command, CommonOptions& options);
 Job make_job(const std::filesystem::path& file, const std::filesystem::path& folder,
              const CommonOptions& options);
 
-// Throws InputError unless it is within 640x400..8192x8192.
-PictureSize picture_size(const CommonOptions& options);
+// Throws InputError unless it is within `least`..8192x8192.
+inline constexpr PictureSize kLeastPicture{640, 400};  // the legend has no room on smaller ones
+PictureSize picture_size(const CommonOptions& options, const PictureSize& least = kLeastPicture);
 
 // Drives the job's path with progress on the terminal.
 DriveResult drive_with_progress(const Job& job, const CommonOptions& options);

@@ -17,9 +17,6 @@ namespace headland {
 
 namespace {
 
-// On smaller pictures the legend has no room.
-constexpr int kLeastWidth = 640;
-constexpr int kLeastHeight = 400;
 constexpr int kMostPixels = 8192;
 
 }  // namespace
@@ -56,9 +53,10 @@ void add_record_option(CLI::App& command, CommonOptions& options) {
 }
 
 void add_size_option(CLI::App& command, CommonOptions& options) {
-  command.add_option("--size", options.size,
-                     fmt::format("Pixels of the pictures, from {}x{} to {}x{} (default: 1600x1000)",
-                                 kLeastWidth, kLeastHeight, kMostPixels, kMostPixels));
+  command.add_option(
+      "--size", options.size,
+      fmt::format("Pixels of the pictures, from {}x{} to {}x{} (default: 1600x1000)",
+                  kLeastPicture.width, kLeastPicture.height, kMostPixels, kMostPixels));
 }
 
 Job make_job(const std::filesystem::path& file, const std::filesystem::path& folder,
@@ -95,18 +93,20 @@ Job make_job(const std::filesystem::path& file, const std::filesystem::path& fol
   return job;
 }
 
-PictureSize picture_size(const CommonOptions& options) {
+PictureSize picture_size(const CommonOptions& options, const PictureSize& least) {
   PictureSize size;
   if (options.size.empty()) return size;
   int read = 0;
   const bool parsed =
       std::sscanf(options.size.c_str(), "%5dx%5d%n", &size.width, &size.height, &read) == 2 &&
       static_cast<std::size_t>(read) == options.size.size();
-  const auto fits = [](int pixels, int least) { return pixels >= least && pixels <= kMostPixels; };
-  if (!parsed || !fits(size.width, kLeastWidth) || !fits(size.height, kLeastHeight)) {
+  const auto fits = [](int pixels, int lowest) {
+    return pixels >= lowest && pixels <= kMostPixels;
+  };
+  if (!parsed || !fits(size.width, least.width) || !fits(size.height, least.height)) {
     throw InputError("--size", "", options.size,
-                     fmt::format("WIDTHxHEIGHT from {}x{} to {}x{} pixels", kLeastWidth,
-                                 kLeastHeight, kMostPixels, kMostPixels));
+                     fmt::format("WIDTHxHEIGHT from {}x{} to {}x{} pixels", least.width,
+                                 least.height, kMostPixels, kMostPixels));
   }
   return size;
 }

@@ -2,14 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "apps/close_ups.h"
 #include "apps/compare_pictures.h"
 #include "apps/interrupt.h"
 #include "evaluate/atomic_file.h"
 #include "evaluate/base64.h"
 #include "evaluate/report_data.h"
 #include "evaluate/results.h"
-#include "render/energy_profile.h"
 #include "render/ground_images.h"
+#include "render/path_quantity.h"
 #include "render/report_page.h"
 #include "render/scene_file.h"
 #include "terrains/input_error.h"
@@ -22,8 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr double kEnergyWindow_m = 4.0;  // as in energy.png
-constexpr int kReliefSide_px = 1000;     // shading is smooth and costs most of the bytes
+constexpr int kReliefSide_px = 1000;  // shading is smooth and costs most of the bytes
 constexpr int kCoverageSide_px = 1600;
 
 struct KnownPicture {
@@ -101,12 +101,13 @@ std::string run_report(const Job& job) {
   const CoverageRaster coverage =
       measure_coverage(stage.field, recorded.run.footprints, job.scenario.working_width_m,
                        job.scenario.coverage_cell_m);
-  std::vector<PagePicture> pictures;
+  std::vector<PagePicture> pictures = close_ups(job, recorded);
   std::vector<std::string> missing_pictures;
   for (const KnownPicture& known : kRunPictures) {
     add_picture(job.folder, known, pictures, missing_pictures);
   }
-  const std::vector<double> wh_per_m = energy_per_metre_wh(recorded.run.samples, kEnergyWindow_m);
+  const std::vector<double> wh_per_m =
+      quantity_along(recorded.run.samples, PathQuantity::kEnergyPerMetre);
   Json data = run_page_json({job.scenario, stage, recorded, coverage, wh_per_m}, HEADLAND_VERSION);
   for (const std::string& missing : missing_pictures) data["missing"].push_back(missing);
   const PictureScene scene{stage.field,   stage.terrain, stage.vehicle,

@@ -124,9 +124,10 @@ Eigen::Matrix4f clip_from_D(const MapCamera& camera, double low_D, double high_D
   return clip.cast<float>();
 }
 
-void look_through(const Box& view_px, int picture_height_px) {
-  const auto x = static_cast<GLint>(std::lround(view_px.x));
-  const auto y = static_cast<GLint>(std::lround(picture_height_px - view_px.bottom()));
+void look_through(const Box& view_px, const Canvas& canvas) {
+  const auto x = static_cast<GLint>(std::lround(view_px.x - canvas.corner_px.x()));
+  const auto y =
+      static_cast<GLint>(std::lround(canvas.corner_px.y() + canvas.tile_px.y() - view_px.bottom()));
   const auto width = static_cast<GLsizei>(std::lround(view_px.width));
   const auto height = static_cast<GLsizei>(std::lround(view_px.height));
   glViewport(x, y, width, height);

@@ -47,7 +47,7 @@ Eigen::Matrix4f clip_from_D(const Camera& camera);
 Eigen::Matrix4f clip_from_D(const MapCamera& camera, double low_D, double high_D);
 
 // Limits drawing to a window of the picture, and to the whole picture again.
-void look_through(const Box& view_px, int picture_height_px);
+void look_through(const Box& view_px, const Canvas& canvas);
 void look_at_page();
 
 }  // namespace headland

@@ -7,6 +7,7 @@
 
 #include "render/map_base.h"
 #include "render/pictures.h"
+#include "render/track_arrows.h"
 
 namespace headland {
 namespace {
@@ -46,10 +47,10 @@ void draw_planned(Sheet& sheet, const PictureScene& scene, const MapView& view,
 
 void draw_driven(Sheet& sheet, const PictureScene& scene, const MapView& view,
                  const PathWidths& widths) {
-  std::vector<Point2> line;
-  for (const RunSample& sample : scene.run.samples) line.emplace_back(sample.p_WB.head<2>());
+  if (scene.run.samples.empty()) return;
   constexpr double kTolerance_px = 0.4;
-  stroke(sheet, thinned(map_line(view, line), kTolerance_px), widths.driven_px, colours::kDriven);
+  stroke(sheet, thinned(track_line(view, scene), kTolerance_px), widths.driven_px,
+         colours::kDriven);
 }
 
 // Number of a reason in a disc of its grade's colour.
@@ -86,6 +87,11 @@ void legend_reasons(Legend& legend, const PictureScene& scene) {
   legend_gap(legend, 10);
 }
 
+// Under way it is no fault that ground is left.
+Rgba missed_colour(const PictureScene& scene) {
+  return scene.moment_s ? colours::kUnworked : colours::kMissed;
+}
+
 void legend_coverage(Legend& legend, const PictureScene& scene) {
   const CoverageAreas areas = coverage_areas(scene.coverage);
   const double total_m2 = std::accumulate(areas.inside_m2.begin(), areas.inside_m2.end(), 0.0);
@@ -98,7 +104,7 @@ void legend_coverage(Legend& legend, const PictureScene& scene) {
   legend_swatch(legend, colours::kOnce, "Once", figure(0));
   legend_swatch(legend, colours::kTwice, "Twice", figure(1));
   legend_swatch(legend, colours::kThrice, "3+ times", figure(2));
-  legend_swatch(legend, colours::kMissed, "Missed", figure(3));
+  legend_swatch(legend, missed_colour(scene), scene.moment_s ? "Not yet" : "Missed", figure(3));
   if (areas.outside_m2 > 0.0) {
     legend_note(legend, fmt::format("{} worked outside the field.", area_text(areas.outside_m2)));
   }
@@ -132,41 +138,36 @@ void legend_path(Legend& legend, const PictureScene& scene) {
 Image draw_field_map(const PictureScene& scene, const PictureSize& size) {
   const Page page = page_of(size);
   Typeface typeface(kFontFile, kBoldFontFile);
-  const OsmesaContext context;
-  const GlFrame frame(size.width, size.height, colours::kPaper);
   const MapView view = map_view(scene, page);
 
-  SurfaceLook look;
-  look.once = colours::kOnce;
-  look.twice = colours::kTwice;
-  look.thrice = colours::kThrice;
-  look.missed = colours::kMissed;
-  paint_map_ground(scene, page, view, coverage_classes(scene.coverage, true), look,
-                   colours::kGround);
-
-  Sheet map;
+  MapSheets sheets;
   const PathWidths widths = path_widths(scene, page, view);
-  draw_planned(map, scene, view, widths);
-  draw_driven(map, scene, view, widths);
-  draw_field_lines(map, scene, page, view);
-  draw_start_and_end(map, scene, page, view);
-  draw_reasons(map, typeface, scene, page, view);
-  look_through(view.camera.view_px, size.height);
-  paint(map, typeface, page.size_px);
-  look_at_page();
+  draw_planned(sheets.map, scene, view, widths);
+  draw_driven(sheets.map, scene, view, widths);
+  draw_arrows(sheets.map, track_line(view, scene), track_arrows(page, colours::kDriven));
+  draw_field_lines(sheets.map, scene, page, view);
+  draw_start_and_end(sheets.map, scene, page, view);
+  draw_reasons(sheets.map, typeface, scene, page, view);
 
-  Sheet margin;
-  write_title(margin, typeface, page, scene, "Coverage");
-  Legend legend{margin, typeface, page, page.column.y - page.px(4)};
+  write_title(sheets.margin, typeface, page, scene, "Coverage");
+  Legend legend{sheets.margin, typeface, page, page.column.y - page.px(4)};
   legend_reasons(legend, scene);
   legend_coverage(legend, scene);
   legend_path(legend, scene);
   legend_field(legend, scene);
   legend_gap(legend, 10);
   legend_relief(legend, view);
-  draw_map_frame(margin, typeface, page, view);
-  paint(margin, typeface, page.size_px);
-  return frame.read();
+  draw_map_frame(sheets.margin, typeface, page, view);
+
+  SurfaceLook look;
+  look.once = colours::kOnce;
+  look.twice = colours::kTwice;
+  look.thrice = colours::kThrice;
+  look.missed = missed_colour(scene);
+  const GlContext context;
+  const MapGround ground(scene, view, coverage_classes(scene.coverage, true), look,
+                         colours::kGround);
+  return draw_map_page(page, typeface, view, ground, sheets);
 }
 
 }  // namespace headland

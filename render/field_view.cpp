@@ -64,7 +64,8 @@ Page view_page(const PictureSize& size) {
   return page_of(size, kCloseUpUnits);
 }
 
-FieldView field_view(const PictureScene& scene, const Page& page) {
+FieldView field_view(const PictureScene& scene, const Page& page,
+                     std::optional<double> exaggeration) {
   constexpr double kMarginShare = 0.03;
   constexpr double kThickness = 0.035;
   constexpr double kDown_rad = 41.0 * kPi / 180.0;
@@ -75,7 +76,8 @@ FieldView field_view(const PictureScene& scene, const Page& page) {
   const double size_m = field.size().maxCoeff();
   view.block = overlap(grown(field, std::max(2.0, kMarginShare * size_m)), terrain);
   const HeightRange heights = height_range(scene.terrain, view.block);
-  view.relief = {heights.low_m, exaggeration_for(heights.high_m - heights.low_m, size_m)};
+  view.relief = {heights.low_m,
+                 exaggeration.value_or(exaggeration_for(heights.high_m - heights.low_m, size_m))};
   view.bottom_D = -kThickness * size_m;
 
   const std::vector<Point> points = outline(scene, view);
@@ -102,10 +104,19 @@ const RunSample* last_pose(const RunRecord& run) {
   return last == run.samples.rend() ? nullptr : &*last;
 }
 
-FieldView close_up(const PictureScene& scene, const RunSample& sample, const Box& view_px) {
-  constexpr double kDown_rad = 17.0 * kPi / 180.0;
-  constexpr double kFieldOfView_rad = 34.0 * kPi / 180.0;
-  constexpr double kAside_rad = -0.66;
+namespace {
+
+// From where a vehicle is looked at.
+struct Viewpoint {
+  double heading_rad = 0.0;
+  double down_rad = 0.0;
+  double field_of_view_rad = 0.0;
+  double ahead_m = 0.0;  // of ground before the vehicle that is to be seen
+  std::optional<Relief> relief{};
+};
+
+FieldView view_of_vehicle(const PictureScene& scene, const RunSample& sample, const Viewpoint& from,
+                          const Box& view_px) {
   constexpr double kReach_m = 160.0;
   // Beyond this width the ends of the implement may leave the picture: the vehicle is the subject.
   constexpr double kWidest_m = 10.0;
@@ -117,8 +128,8 @@ FieldView close_up(const PictureScene& scene, const RunSample& sample, const Box
   const Extent near{p_W - Eigen::Vector2d::Constant(kReach_m),
                     p_W + Eigen::Vector2d::Constant(kReach_m)};
   view.block = overlap(near, terrain);
-  view.relief = {sample.p_WB.z(), 1.0};
-  view.bottom_D = height_range(scene.terrain, view.block).low_m - sample.p_WB.z() - 5.0;
+  view.relief = from.relief.value_or(Relief{sample.p_WB.z(), 1.0});
+  view.bottom_D = height_range(scene.terrain, view.block).low_m - view.relief.base_m - 5.0;
 
   // Corners of the hull, and of the implement as far as it is not much wider.
   const Eigen::Rotation2Dd turn(sample.yaw_rad);
@@ -139,11 +150,66 @@ FieldView close_up(const PictureScene& scene, const RunSample& sample, const Box
   add_corners(scene.vehicle.implement.x_B_m,
               0.5 * std::min(kWidest_m, scene.vehicle.implement.working_width_m) + kAround_m,
               kImplementHeight_m);
-  view.heading_rad = sample.yaw_rad + kPi + kAside_rad;
-  view.camera = fit_camera(points, view.heading_rad, kDown_rad, kFieldOfView_rad, view_px);
+  if (from.ahead_m > 0.0) {
+    // Ground around the vehicle, more of it ahead.
+    constexpr double kBeside_m = 1.5;
+    const double half_m =
+        0.5 * std::max(body.width_m, std::min(kWidest_m, scene.vehicle.implement.working_width_m)) +
+        kBeside_m;
+    add_corners(-body.rear_overhang_m - 1.5 * kBeside_m, half_m, 0.0);
+    add_corners(body.length_m + from.ahead_m, half_m, 0.0);
+  }
+  view.heading_rad = from.heading_rad;
+  view.camera =
+      fit_camera(points, view.heading_rad, from.down_rad, from.field_of_view_rad, view_px);
   view.camera.far_m = 2.0 * kReach_m + 100.0;
   view.camera.near_m = std::max(0.2, 0.2 * (view.camera.target_D - view.camera.eye_D).norm());
   return view;
+}
+
+}  // namespace
+
+FieldView close_up(const PictureScene& scene, const RunSample& sample, const Box& view_px) {
+  constexpr double kAside_rad = -0.66;
+  return view_of_vehicle(scene, sample,
+                         {sample.yaw_rad + kPi + kAside_rad, 17.0 * kPi / 180.0, 34.0 * kPi / 180.0,
+                          0.0, std::nullopt},
+                         view_px);
+}
+
+FieldView chase_view(const PictureScene& scene, const RunSample& sample, double heading_rad,
+                     const Box& view_px, std::optional<Relief> relief) {
+  constexpr double kAhead_m = 14.0;
+  FieldView view = view_of_vehicle(
+      scene, sample, {heading_rad, 21.0 * kPi / 180.0, 50.0 * kPi / 180.0, kAhead_m, relief},
+      view_px);
+  // Behind a rise the camera stands on it.
+  constexpr double kAboveGround_m = 1.2;
+  Eigen::Vector3d& eye_D = view.camera.eye_D;
+  const Extent terrain = extent_of(scene.terrain);
+  const Eigen::Vector2d eye_W =
+      Eigen::Vector2d(eye_D.head<2>()).cwiseMax(terrain.low).cwiseMin(terrain.high);
+  eye_D.z() =
+      std::max(eye_D.z(), on_ground(scene.terrain, view.relief, eye_W).z() + kAboveGround_m);
+  return view;
+}
+
+double trailing_heading_rad(const RunRecord& run, double time_s) {
+  constexpr double kMemory_s = 2.5;
+  const auto& samples = run.samples;
+  const auto after =
+      std::upper_bound(samples.begin(), samples.end(), time_s,
+                       [](double time, const RunSample& sample) { return time < sample.time_s; });
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (auto i = after; i != samples.begin();) {
+    --i;
+    const double age_s = time_s - i->time_s;
+    if (age_s > 3.0 * kMemory_s) break;
+    if (!std::isfinite(i->yaw_rad)) continue;
+    sum +=
+        std::exp(-age_s / kMemory_s) * Eigen::Vector2d(std::cos(i->yaw_rad), std::sin(i->yaw_rad));
+  }
+  return std::atan2(sum.y(), sum.x());
 }
 
 }  // namespace headland

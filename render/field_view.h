@@ -1,6 +1,8 @@
 // Where the perspective pictures are taken from.
 #pragma once
 
+#include <optional>
+
 #include "render/camera.h"
 #include "render/page.h"
 #include "render/pictures.h"
@@ -18,8 +20,10 @@ struct FieldView {
 };
 
 // The whole field, as near as the page's main box allows, from the side where it is seen largest
-// (the one facing a slope, the long one). Gentle relief is stretched by a whole number.
-FieldView field_view(const PictureScene& scene, const Page& page);
+// (the one facing a slope, the long one). Gentle relief is stretched by a whole number unless the
+// exaggeration is given.
+FieldView field_view(const PictureScene& scene, const Page& page,
+                     std::optional<double> exaggeration = std::nullopt);
 
 // The page of draw_view, whose column holds the close-up.
 Page view_page(const PictureSize& size);
@@ -30,5 +34,14 @@ const RunSample* last_pose(const RunRecord& run);
 
 // The vehicle at that sample from ahead and beside, relief as it is.
 FieldView close_up(const PictureScene& scene, const RunSample& sample, const Box& view_px);
+
+// From behind and above, `heading_rad` being where it has been heading of late.
+// Heights count from `relief`'s base, or from the vehicle.
+FieldView chase_view(const PictureScene& scene, const RunSample& sample, double heading_rad,
+                     const Box& view_px, std::optional<Relief> relief = std::nullopt);
+
+// Mean direction of the vehicle over the last seconds before that time, which a camera behind it
+// can follow without swinging.
+double trailing_heading_rad(const RunRecord& run, double time_s);
 
 }  // namespace headland

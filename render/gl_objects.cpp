@@ -1,7 +1,6 @@
 #include "render/gl_objects.h"
 
 #include <fmt/format.h>
-#include <cstdint>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "render/shaders.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -115,6 +115,14 @@ void GlTriangles::draw() const {
   }
 }
 
+void GlTriangles::draw(std::size_t first, std::size_t count) const {
+  glBindVertexArray(array_);
+  // OpenGL takes the offset into the buffer as a pointer.
+  glDrawElements(
+      GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+      reinterpret_cast<const void*>(static_cast<std::uintptr_t>(first * sizeof(std::uint32_t))));
+}
+
 GlTexture::GlTexture(int width, int height, int channels, std::span<const std::uint8_t> texels,
                      bool smooth) {
   glGenTextures(1, &id_);
@@ -134,12 +142,25 @@ GlTexture::~GlTexture() { glDeleteTextures(1, &id_); }
 
 void GlTexture::bind() const { glBindTexture(GL_TEXTURE_2D, id_); }
 
-GlFrame::GlFrame(int width, int height, Rgba background) : width_(width), height_(height) {
-  GLint largest = 0;
-  glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
-  if (width > largest || height > largest) {
+GlPrograms::GlPrograms()
+    : sheet(kSheetVertexShader, kSheetFragmentShader),
+      terrain(kSolidVertexShader, kTerrainFragmentShader),
+      solid(kSolidVertexShader, kSolidFragmentShader),
+      shadow(kSolidVertexShader, kShadowFragmentShader),
+      furrow(kFurrowVertexShader, kFurrowFragmentShader) {}
+
+GlFrame::GlFrame(int width, int height, Rgba background, int tile_px)
+    : width_(width),
+      height_(height),
+      tile_width_(std::min(width, tile_px)),
+      tile_height_(std::min(height, tile_px)),
+      background_(background) {
+  // Tiles are moved windows of one view that spans the picture.
+  std::array<GLint, 2> largest{};
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, largest.data());
+  if (width > largest[0] || height > largest[1]) {
     throw InputError("picture", "size", fmt::format("{}x{}", width, height),
-                     fmt::format("at most {} pixels wide and high", largest));
+                     fmt::format("at most {} pixels wide and {} high", largest[0], largest[1]));
   }
   glGenFramebuffers(2, frames_);
   glGenRenderbuffers(3, buffers_);
@@ -147,7 +168,8 @@ GlFrame::GlFrame(int width, int height, Rgba background) : width_(width), height
   const std::array<GLsizei, 3> samples = {kSamples, kSamples, 0};
   for (std::size_t i = 0; i < formats.size(); ++i) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffers_[i]);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples[i], formats[i], width, height);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples[i], formats[i], tile_width_,
+                                     tile_height_);
   }
   glBindFramebuffer(GL_FRAMEBUFFER, frames_[1]);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffers_[2]);
@@ -162,11 +184,6 @@ GlFrame::GlFrame(int width, int height, Rgba background) : width_(width), height
     throw InputError("picture", "size", fmt::format("{}x{}", width, height),
                      "too large for the memory; choose a smaller picture");
   }
-  glViewport(0, 0, width, height);
-  constexpr float kOne = 255.0F;
-  glClearColor(static_cast<float>(background.r) / kOne, static_cast<float>(background.g) / kOne,
-               static_cast<float>(background.b) / kOne, 1.0F);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
 GlFrame::~GlFrame() {
@@ -174,25 +191,49 @@ GlFrame::~GlFrame() {
   glDeleteRenderbuffers(3, buffers_);
 }
 
-Image GlFrame::read() const {
+Image GlFrame::draw(const std::function<void(const Canvas&)>& paint) const {
+  Image image{width_, height_, {}};
+  image.rgba.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  constexpr float kOne = 255.0F;
+  glClearColor(static_cast<float>(background_.r) / kOne, static_cast<float>(background_.g) / kOne,
+               static_cast<float>(background_.b) / kOne, 1.0F);
+  for (int y = 0; y < height_; y += tile_height_) {
+    for (int x = 0; x < width_; x += tile_width_) {
+      const Canvas canvas{programs_,
+                          {width_, height_},
+                          {x, y},
+                          {std::min(tile_width_, width_ - x), std::min(tile_height_, height_ - y)}};
+      glBindFramebuffer(GL_FRAMEBUFFER, frames_[0]);
+      glDisable(GL_SCISSOR_TEST);
+      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+      paint(canvas);
+      read_into(image, canvas);
+    }
+  }
+  return image;
+}
+
+void GlFrame::read_into(Image& image, const Canvas& canvas) const {
+  const int width = canvas.tile_px.x();
+  const int height = canvas.tile_px.y();
+  glDisable(GL_SCISSOR_TEST);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, frames_[0]);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frames_[1]);
-  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_FRAMEBUFFER, frames_[1]);
-  Image image{width_, height_, {}};
-  const std::size_t row = 4 * static_cast<std::size_t>(width_);
-  image.rgba.resize(row * static_cast<std::size_t>(height_));
+  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, frames_[1]);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  glBindFramebuffer(GL_FRAMEBUFFER, frames_[0]);
+  const std::size_t row = 4 * static_cast<std::size_t>(width);
+  std::vector<std::uint8_t> tile(row * static_cast<std::size_t>(height));
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, tile.data());
+  for (std::size_t i = 3; i < tile.size(); i += 4) tile[i] = 255;
   // OpenGL's rows run from the bottom up.
-  for (int y = 0; y < height_ / 2; ++y) {
-    const auto top = image.rgba.begin() + static_cast<std::ptrdiff_t>(row) * y;
-    const auto bottom = image.rgba.begin() + static_cast<std::ptrdiff_t>(row) * (height_ - 1 - y);
-    std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(row), bottom);
+  for (int y = 0; y < height; ++y) {
+    const auto from = tile.begin() + static_cast<std::ptrdiff_t>(row) * (height - 1 - y);
+    const std::ptrdiff_t at =
+        4 * (static_cast<std::ptrdiff_t>(canvas.corner_px.y() + y) * image.width +
+             canvas.corner_px.x());
+    std::copy(from, from + static_cast<std::ptrdiff_t>(row), image.rgba.begin() + at);
   }
-  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
-  return image;
 }
 
 }  // namespace headland

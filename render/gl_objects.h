@@ -1,13 +1,14 @@
-// OpenGL objects that free themselves. All need a current OsmesaContext that outlives them.
+// OpenGL objects that free themselves. All need a current GlContext that outlives them.
 #pragma once
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
+#include "render/gl_context.h"
 #include "render/image.h"
-#include "render/osmesa_context.h"
 #include "render/palette.h"
 
 namespace headland {
@@ -51,6 +52,8 @@ class GlTriangles {
   GlTriangles& operator=(const GlTriangles&) = delete;
 
   void draw() const;
+  // `count` indices from `first` on.
+  void draw(std::size_t first, std::size_t count) const;
 
  private:
   GLuint array_ = 0;
@@ -75,25 +78,50 @@ class GlTexture {
   GLuint id_ = 0;
 };
 
-// Where pictures are drawn: colour with depth and stencil, 4 samples a pixel. Throws InputError
-// for a size that OpenGL or the memory does not allow.
+// The programs of render/shaders.h. Compiling one takes longer than most drawing with it.
+struct GlPrograms {
+  GlProgram sheet;
+  GlProgram terrain;
+  GlProgram solid;
+  GlProgram shadow;
+  GlProgram furrow;
+  GlPrograms();
+};
+
+// What is painted on: a tile of a picture. Places are given in pixels of the whole picture.
+struct Canvas {
+  const GlPrograms& programs;
+  Eigen::Vector2i size_px;    // of the picture
+  Eigen::Vector2i corner_px;  // the tile's upper left corner
+  Eigen::Vector2i tile_px;    // the tile's size
+};
+
+// Where pictures are drawn: colour with depth and stencil, 4 samples a pixel, in tiles that bound
+// the memory it takes. Throws InputError for a size that OpenGL or the memory does not allow.
 class GlFrame {
  public:
-  GlFrame(int width, int height, Rgba background);
+  GlFrame(int width, int height, Rgba background, int tile_px = kTile_px);
   ~GlFrame();
   GlFrame(const GlFrame&) = delete;
   GlFrame& operator=(const GlFrame&) = delete;
 
-  // What has been drawn, samples averaged.
-  Image read() const;
+  // The picture that `paint` paints, which is called for every tile and paints the same each time.
+  Image draw(const std::function<void(const Canvas&)>& paint) const;
+
+  static constexpr int kTile_px = 2048;
 
  private:
+  void read_into(Image& image, const Canvas& canvas) const;
+
   int width_ = 0;
   int height_ = 0;
+  int tile_width_ = 0;
+  int tile_height_ = 0;
+  Rgba background_;
+  GlPrograms programs_;
   GLuint frames_[2] = {0, 0};      // multisampled, resolved
   GLuint buffers_[3] = {0, 0, 0};  // colour and depth-stencil multisampled, colour resolved
 };
 
 inline constexpr int kSamples = 4;
-
 }  // namespace headland

@@ -60,11 +60,11 @@ GroundImage draw_relief(const PictureScene& scene, int longest_side_px) {
                static_cast<double>(page.size_px.y())};
   MapView view = map_view(scene, page);
   view.camera = {page.main, wanted, px_per_m};
-  const OsmesaContext context;
+  const GlContext context;
   const GlFrame frame(page.size_px.x(), page.size_px.y(), colours::kPaper);
-  SurfaceLook look;
-  paint_map_ground(scene, page, view, CoverageClasses{}, look, colours::kGround);
-  return {wanted, frame.read()};
+  const MapGround ground(scene, view, CoverageClasses{}, {}, colours::kGround);
+  return {wanted,
+          frame.draw([&](const Canvas& canvas) { paint_map_ground(canvas, view, ground); })};
 }
 
 GroundImage coverage_image(const CoverageRaster& coverage, int longest_side_px) {

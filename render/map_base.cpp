@@ -41,15 +41,19 @@ std::optional<Ends> ends_of(const PictureScene& scene) {
               first->points.front().heading_rad};
 }
 
-void add_start(Sheet& sheet, const Page& page, const Point2& p_px, double yaw_rad) {
+void add_pointer(Sheet& sheet, const Page& page, const Point2& p_px, double yaw_rad, double size,
+                 Rgba colour) {
   const Point2 ahead(std::cos(yaw_rad), -std::sin(yaw_rad));
   const Point2 side(-ahead.y(), ahead.x());
-  const double size = page.px(9.5);
   const std::array<Point2, 3> corners = {p_px + size * ahead, p_px - 0.75 * size * (ahead + side),
                                          p_px - 0.75 * size * (ahead - side)};
   stroke(sheet, corners, page.px(5), colours::kPaper, true);
-  fill_convex(sheet, corners, colours::kStart);
+  fill_convex(sheet, corners, colour);
   stroke(sheet, corners, std::max(1.0, page.px(1.5)), colours::kInk, true);
+}
+
+void add_start(Sheet& sheet, const Page& page, const Point2& p_px, double yaw_rad) {
+  add_pointer(sheet, page, p_px, yaw_rad, page.px(9.5), colours::kStart);
 }
 
 void add_end(Sheet& sheet, const Page& page, const Point2& p_px) {
@@ -86,19 +90,52 @@ MapView map_view(const PictureScene& scene, const Page& page) {
   return view;
 }
 
-void paint_map_ground(const PictureScene& scene, const Page& page, const MapView& view,
-                      const CoverageClasses& classes, const SurfaceLook& look, Rgba ground) {
-  const Mesh mesh = relief_mesh(scene.terrain, view.relief,
-                                grown(view.camera.window, 2.0 * scene.terrain.cell_m), ground);
-  const auto [low, high] = std::minmax_element(
-      mesh.vertices.begin(), mesh.vertices.end(),
-      [](const MeshVertex& a, const MeshVertex& b) { return a.p.z() < b.p.z(); });
-  SurfaceLook contoured = look;
-  contoured.contour_step_D = static_cast<float>(view.contour_m * view.relief.exaggeration);
-  look_through(view.camera.view_px, page.size_px.y());
-  paint_surface(upload(mesh), clip_from_D(view.camera, low->p.z(), high->p.z()),
-                SurfaceCoverage(classes), contoured);
+namespace {
+
+Mesh map_mesh(const PictureScene& scene, const MapView& view, Rgba colour) {
+  return relief_mesh(scene.terrain, view.relief,
+                     grown(view.camera.window, 2.0 * scene.terrain.cell_m), colour);
+}
+
+SurfaceLook contoured(SurfaceLook look, const MapView& view) {
+  look.contour_step_D = static_cast<float>(view.contour_m * view.relief.exaggeration);
+  return look;
+}
+
+Eigen::Matrix4f map_clip(const PictureScene& scene, const MapView& view) {
+  const HeightRange heights =
+      height_range(scene.terrain, grown(view.camera.window, 2.0 * scene.terrain.cell_m));
+  const auto in_D = [&](double height_m) {
+    return (height_m - view.relief.base_m) * view.relief.exaggeration;
+  };
+  return clip_from_D(view.camera, in_D(heights.low_m), in_D(heights.high_m));
+}
+
+}  // namespace
+
+MapGround::MapGround(const PictureScene& scene, const MapView& view, const CoverageClasses& classes,
+                     const SurfaceLook& wanted, Rgba ground)
+    : surface(upload(map_mesh(scene, view, ground))),
+      coverage(classes),
+      look(contoured(wanted, view)),
+      clip(map_clip(scene, view)) {}
+
+void paint_map_ground(const Canvas& canvas, const MapView& view, const MapGround& ground) {
+  look_through(view.camera.view_px, canvas);
+  paint_surface(canvas, ground.surface, ground.clip, ground.coverage, ground.look);
   look_at_page();
+}
+
+Image draw_map_page(const Page& page, const Typeface& typeface, const MapView& view,
+                    const MapGround& ground, const MapSheets& sheets) {
+  const GlFrame frame(page.size_px.x(), page.size_px.y(), colours::kPaper);
+  return frame.draw([&](const Canvas& canvas) {
+    paint_map_ground(canvas, view, ground);
+    look_through(view.camera.view_px, canvas);
+    paint(sheets.map, typeface, canvas);
+    look_at_page();
+    paint(sheets.margin, typeface, canvas);
+  });
 }
 
 std::vector<Eigen::Vector3d> map_line(const MapView& view, const std::vector<Point2>& line_W) {
@@ -109,6 +146,23 @@ std::vector<Eigen::Vector3d> map_line(const MapView& view, const std::vector<Poi
     line.emplace_back(p.x(), p.y(), 0.0);
   }
   return line;
+}
+
+std::vector<Eigen::Vector3d> track_line(const MapView& view, const PictureScene& scene) {
+  std::vector<Point2> line;
+  for (const RunSample& sample : scene.run.samples) {
+    if (sample.p_WB.allFinite()) line.emplace_back(sample.p_WB.head<2>());
+  }
+  if (line.empty()) {
+    for (const PathSegment& segment : scene.path.segments) {
+      for (const PathPoint& point : segment.points) line.push_back(point.p_W);
+    }
+  }
+  return map_line(view, line);
+}
+
+ArrowLook track_arrows(const Page& page, Rgba colour) {
+  return {page.px(130), page.px(11), colour, colours::kPaper};
 }
 
 void draw_field_lines(Sheet& sheet, const PictureScene& scene, const Page& page,
@@ -133,11 +187,19 @@ void draw_field_lines(Sheet& sheet, const PictureScene& scene, const Page& page,
   }
 }
 
+void mark_vehicle(Sheet& sheet, const Page& page, const Point2& p_px, double yaw_rad) {
+  add_pointer(sheet, page, p_px, yaw_rad, page.px(14), colours::kEnd);
+}
+
 void draw_start_and_end(Sheet& sheet, const PictureScene& scene, const Page& page,
                         const MapView& view) {
   const std::optional<Ends> ends = ends_of(scene);
   if (!ends) return;
-  add_end(sheet, page, pixel_of(view.camera, ends->end));
+  if (const RunSample* here = scene.moment_s ? last_pose(scene.run) : nullptr) {
+    mark_vehicle(sheet, page, pixel_of(view.camera, ends->end), here->yaw_rad);
+  } else {
+    add_end(sheet, page, pixel_of(view.camera, ends->end));
+  }
   add_start(sheet, page, pixel_of(view.camera, ends->start), ends->start_yaw_rad);
 }
 
@@ -198,7 +260,11 @@ void legend_relief(Legend& legend, const MapView& view) {
 void legend_start_and_end(Legend& legend, const PictureScene& scene) {
   if (!ends_of(scene)) return;
   add_start(legend.sheet, legend.page, legend_symbol(legend, "Start"), 0.0);
-  add_end(legend.sheet, legend.page, legend_symbol(legend, "End"));
+  if (scene.moment_s) {
+    mark_vehicle(legend.sheet, legend.page, legend_symbol(legend, "The vehicle"), 0.0);
+  } else {
+    add_end(legend.sheet, legend.page, legend_symbol(legend, "End"));
+  }
 }
 
 namespace {

@@ -101,7 +101,8 @@ void write_title(Sheet& sheet, Typeface& typeface, const Page& page, const Pictu
     line += "  ·  not driven";
   } else {
     line += fmt::format("  ·  {:.2f} km in {}  ·  {}", run.distance_m / 1000.0,
-                        duration_text(run.duration_s), outcome_name(run.outcome));
+                        duration_text(run.duration_s),
+                        scene.moment_s ? "under way" : outcome_name(run.outcome));
   }
   const TextStyle body = page.text(kBody);
   write_text(sheet, typeface, {x, page.px(76)}, fitted_text(typeface, line, body, room), body,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/osmesa_context.h"
+#include "render/gl_context.h"
 #include "render/text_lines.h"
 
 namespace headland {
@@ -41,10 +41,9 @@ double plan_legend_width(Typeface& typeface, TextStyle style,
 Image painted_sheet(const Sheet& sheet, const Typeface& typeface, double width, double height) {
   const Eigen::Vector2i size_px(static_cast<int>(std::ceil(width)),
                                 static_cast<int>(std::ceil(height)));
-  const OsmesaContext context;
+  const GlContext context;
   const GlFrame frame(size_px.x(), size_px.y(), kSheetPaper);
-  paint(sheet, typeface, size_px);
-  return frame.read();
+  return frame.draw([&](const Canvas& canvas) { paint(sheet, typeface, canvas); });
 }
 
 }  // namespace

@@ -118,9 +118,28 @@ std::vector<Point> draped(const Heightfield& terrain, const Relief& relief,
   return points;
 }
 
-Mesh relief_mesh(const Heightfield& terrain, const Relief& relief, const Extent& extent,
-                 Rgba colour) {
-  const Nodes nodes = nodes_inside(terrain, extent);
+namespace {
+
+// Nodes of an axis: all near the centre, ever fewer with distance. Each is a whole multiple of its
+// spacing, so that they stay the same ones while the centre moves.
+std::vector<int> graded_nodes(double low, double high, double centre, double cell_m, int count) {
+  constexpr double kFinest_m = 0.5;
+  constexpr double kDistancePerSpacing = 22.0;
+  const int first = std::clamp(static_cast<int>(std::ceil(low - 1e-9)), 0, count - 2);
+  const int last = std::clamp(static_cast<int>(std::floor(high + 1e-9)), first + 1, count - 1);
+  std::vector<int> nodes = {first};
+  for (int i = first + 1; i < last; ++i) {
+    const double away_m = std::abs(i - centre) * cell_m;
+    const double wanted_m = std::max(kFinest_m, away_m / kDistancePerSpacing);
+    int step = 1;
+    while (2 * step * cell_m <= wanted_m) step *= 2;
+    if (i % step == 0) nodes.push_back(i);
+  }
+  nodes.push_back(last);
+  return nodes;
+}
+
+Mesh mesh_of(const Heightfield& terrain, const Relief& relief, const Nodes& nodes, Rgba colour) {
   Mesh mesh;
   mesh.vertices.reserve(nodes.columns.size() * nodes.rows.size());
   mesh.indices.reserve(6 * nodes.columns.size() * nodes.rows.size());
@@ -142,6 +161,26 @@ Mesh relief_mesh(const Heightfield& terrain, const Relief& relief, const Extent&
     }
   }
   return mesh;
+}
+
+}  // namespace
+
+Mesh relief_mesh(const Heightfield& terrain, const Relief& relief, const Extent& extent,
+                 Rgba colour) {
+  return mesh_of(terrain, relief, nodes_inside(terrain, extent), colour);
+}
+
+Mesh graded_relief_mesh(const Heightfield& terrain, const Relief& relief, const Extent& extent,
+                        const Eigen::Vector2d& centre_W, Rgba colour) {
+  const auto in_cells = [&](const Eigen::Vector2d& p_W) -> Eigen::Vector2d {
+    return (p_W - terrain.origin_W) / terrain.cell_m;
+  };
+  const Eigen::Vector2d low = in_cells(extent.low);
+  const Eigen::Vector2d high = in_cells(extent.high);
+  const Eigen::Vector2d centre = in_cells(centre_W);
+  const Nodes nodes{graded_nodes(low.x(), high.x(), centre.x(), terrain.cell_m, terrain.columns),
+                    graded_nodes(low.y(), high.y(), centre.y(), terrain.cell_m, terrain.rows)};
+  return mesh_of(terrain, relief, nodes, colour);
 }
 
 Mesh relief_sides(const Heightfield& terrain, const Relief& relief, const Extent& extent,

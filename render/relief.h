@@ -55,6 +55,11 @@ inline constexpr int kMaxNodes = 1000;
 Mesh relief_mesh(const Heightfield& terrain, const Relief& relief, const Extent& extent,
                  Rgba colour);
 
+// The same with every node near the centre and ever fewer with distance, as a camera near the
+// centre sees them.
+Mesh graded_relief_mesh(const Heightfield& terrain, const Relief& relief, const Extent& extent,
+                        const Eigen::Vector2d& centre_W, Rgba colour);
+
 // Upright sides from the edge of that surface down to height z of D, as of a cut block of earth.
 Mesh relief_sides(const Heightfield& terrain, const Relief& relief, const Extent& extent,
                   double bottom_D, Rgba colour);

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <numbers>
 
-#include "render/shaders.h"
-
 namespace headland {
 namespace {
 
@@ -162,10 +160,8 @@ std::vector<Point3> thinned(std::span<const Point3> points_px, double tolerance_
   return kept;
 }
 
-void paint(const Sheet& sheet, const Typeface& typeface, const Eigen::Vector2i& frame_px,
-           bool test_depth) {
+void paint(const Sheet& sheet, const Typeface& typeface, const Canvas& canvas, bool test_depth) {
   if (sheet.vertices.empty()) return;
-  const GlProgram program(kSheetVertexShader, kSheetFragmentShader);
   const GlTexture ink(Typeface::kTextureWidth, typeface.texture_height(), 1, typeface.texels(),
                       false);
   const std::array<GlAttribute, 3> attributes = {
@@ -174,10 +170,11 @@ void paint(const Sheet& sheet, const Typeface& typeface, const Eigen::Vector2i& 
        {4, GL_UNSIGNED_BYTE, offsetof(SheetVertex, colour)}}};
   const GlTriangles triangles(std::as_bytes(std::span(sheet.vertices)), sizeof(SheetVertex),
                               attributes, {});
-  program.use();
-  program.set("frame_px", Eigen::Vector2f(frame_px.cast<float>()));
+  canvas.programs.sheet.use();
+  canvas.programs.sheet.set("frame_px", Eigen::Vector2f(canvas.size_px.cast<float>()));
   ink.bind();
-  glViewport(0, 0, frame_px.x(), frame_px.y());
+  glViewport(-canvas.corner_px.x(), canvas.corner_px.y() + canvas.tile_px.y() - canvas.size_px.y(),
+             canvas.size_px.x(), canvas.size_px.y());
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glDepthMask(GL_FALSE);

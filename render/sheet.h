@@ -64,8 +64,8 @@ void write_text(Sheet& sheet, Typeface& typeface, const Eigen::Vector2d& p_px,
 std::vector<Eigen::Vector3d> thinned(std::span<const Eigen::Vector3d> points_px,
                                      double tolerance_px);
 
-// Paints the sheet in the frame's coordinates; `test_depth`: hidden behind what is nearer.
-void paint(const Sheet& sheet, const Typeface& typeface, const Eigen::Vector2i& frame_px,
+// Paints the sheet in the picture's coordinates; `test_depth`: hidden behind what is nearer.
+void paint(const Sheet& sheet, const Typeface& typeface, const Canvas& canvas,
            bool test_depth = false);
 
 }  // namespace headland

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "render/shaders.h"
-
 namespace headland {
 namespace {
 
@@ -29,13 +27,14 @@ SurfaceCoverage::SurfaceCoverage(const CoverageClasses& classes)
                                       : std::span<const std::uint8_t>(classes.shares),
                true) {}
 
-void paint_surface(const GlTriangles& surface, const Eigen::Matrix4f& clip,
+void paint_surface(const Canvas& canvas, const GlTriangles& surface, const Eigen::Matrix4f& clip,
                    const SurfaceCoverage& coverage, const SurfaceLook& look) {
-  const GlProgram program(kSolidVertexShader, kTerrainFragmentShader);
+  const GlProgram& program = canvas.programs.terrain;
   program.use();
   program.set("clip_from_D", clip);
   program.set("to_sun", look.to_sun);
   program.set("shading", look.shading);
+  program.set("grain", look.grain);
   program.set("classes_origin", coverage.origin_W_);
   program.set("classes_size", coverage.size_m_);
   program.set("once", look.once);
@@ -56,9 +55,9 @@ void paint_surface(const GlTriangles& surface, const Eigen::Matrix4f& clip,
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void paint_solids(const GlTriangles& solids, const Eigen::Matrix4f& clip,
+void paint_solids(const Canvas& canvas, const GlTriangles& solids, const Eigen::Matrix4f& clip,
                   const Eigen::Vector3d& eye_D, const Eigen::Vector3f& to_sun) {
-  const GlProgram program(kSolidVertexShader, kSolidFragmentShader);
+  const GlProgram& program = canvas.programs.solid;
   program.use();
   program.set("clip_from_D", clip);
   program.set("to_sun", to_sun);
@@ -67,9 +66,8 @@ void paint_solids(const GlTriangles& solids, const Eigen::Matrix4f& clip,
   solids.draw();
 }
 
-void paint_shadow(const Mesh& body, const Eigen::Vector3d& p_D, const Eigen::Vector3d& normal_D,
-                  const Eigen::Matrix4f& clip, const Eigen::Vector3f& to_sun) {
-  constexpr Rgba kShadow{20, 18, 24, 105};
+Mesh shadow_mesh(const Mesh& body, const Eigen::Vector3d& p_D, const Eigen::Vector3d& normal_D,
+                 const Eigen::Vector3f& to_sun) {
   const Eigen::Vector3f normal = normal_D.normalized().cast<float>();
   const Eigen::Vector3f ray = to_sun / to_sun.dot(normal);
   const Eigen::Vector3f foot = p_D.cast<float>();
@@ -77,7 +75,12 @@ void paint_shadow(const Mesh& body, const Eigen::Vector3d& p_D, const Eigen::Vec
   for (MeshVertex& vertex : shadow.vertices) {
     vertex.p -= ray * std::max(0.0F, (vertex.p - foot).dot(normal));
   }
-  const GlProgram program(kSolidVertexShader, kShadowFragmentShader);
+  return shadow;
+}
+
+void paint_shadows(const Canvas& canvas, const GlTriangles& shadows, const Eigen::Matrix4f& clip) {
+  constexpr Rgba kShadow{20, 18, 24, 105};
+  const GlProgram& program = canvas.programs.shadow;
   program.use();
   program.set("clip_from_D", clip);
   program.set("shadow", kShadow);
@@ -93,7 +96,7 @@ void paint_shadow(const Mesh& body, const Eigen::Vector3d& p_D, const Eigen::Vec
   glEnable(GL_POLYGON_OFFSET_FILL);
   // The ground is not quite the plane.
   glPolygonOffset(-4.0F, -4.0F);
-  upload(shadow).draw();
+  shadows.draw();
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);

@@ -20,6 +20,7 @@ struct SurfaceLook {
   Rgba missed;
   Eigen::Vector3f to_sun = map_sun();
   float shading = 0.8F;
+  float grain = 0.0F;  // strength of the soil's unevenness as seen from close by; 0: even colours
   float contour_step_D = 0.0F;  // 0: none
   Rgba contour{60, 50, 40, 110};
   // Ground farther than fade_to_m from the centre has the colour `fade`; 0: no fading.
@@ -35,23 +36,27 @@ class SurfaceCoverage {
   explicit SurfaceCoverage(const CoverageClasses& classes);
 
  private:
-  friend void paint_surface(const GlTriangles& surface, const Eigen::Matrix4f& clip,
-                            const SurfaceCoverage& coverage, const SurfaceLook& look);
+  friend void paint_surface(const Canvas& canvas, const GlTriangles& surface,
+                            const Eigen::Matrix4f& clip, const SurfaceCoverage& coverage,
+                            const SurfaceLook& look);
   Eigen::Vector2f origin_W_;
   Eigen::Vector2f size_m_;
   GlTexture texture_;
 };
 
 // Paints a relief_mesh through `clip` into the current viewport, with depth.
-void paint_surface(const GlTriangles& surface, const Eigen::Matrix4f& clip,
+void paint_surface(const Canvas& canvas, const GlTriangles& surface, const Eigen::Matrix4f& clip,
                    const SurfaceCoverage& coverage, const SurfaceLook& look);
 
 // Paints solid bodies likewise, as seen from `eye_D`.
-void paint_solids(const GlTriangles& solids, const Eigen::Matrix4f& clip,
+void paint_solids(const Canvas& canvas, const GlTriangles& solids, const Eigen::Matrix4f& clip,
                   const Eigen::Vector3d& eye_D, const Eigen::Vector3f& to_sun);
 
-// Paints the shadow that a body casts on the plane through p_D with the given normal.
-void paint_shadow(const Mesh& body, const Eigen::Vector3d& p_D, const Eigen::Vector3d& normal_D,
-                  const Eigen::Matrix4f& clip, const Eigen::Vector3f& to_sun);
+// The shadow that a body casts on the plane through p_D with the given normal, as a flat mesh.
+Mesh shadow_mesh(const Mesh& body, const Eigen::Vector3d& p_D, const Eigen::Vector3d& normal_D,
+                 const Eigen::Vector3f& to_sun);
+
+// Paints such shadows; where several fall the ground is darkened once.
+void paint_shadows(const Canvas& canvas, const GlTriangles& shadows, const Eigen::Matrix4f& clip);
 
 }  // namespace headland

@@ -261,9 +261,15 @@ Mesh implement_mesh(const Vehicle& vehicle, bool down) {
 
 VehicleMesh vehicle_mesh(const Vehicle& vehicle, const RunSample& sample) {
   VehicleMesh out = body_mesh(vehicle);
-  append_wheels(out.mesh, vehicle, sample);
-  append_implement(out.mesh, vehicle, sample);
+  out.mesh = moved_vehicle_mesh(vehicle, out.mesh, sample);
   return out;
+}
+
+Mesh moved_vehicle_mesh(const Vehicle& vehicle, const Mesh& body, const RunSample& sample) {
+  Mesh mesh = body;
+  append_wheels(mesh, vehicle, sample);
+  append_implement(mesh, vehicle, sample);
+  return mesh;
 }
 
 Eigen::Isometry3d pose_in_D(const RunSample& sample, const Relief& relief) {

@@ -34,6 +34,9 @@ std::vector<std::string> vehicle_notes(const Vehicle& vehicle);
 // at its hitch angle in the vehicle's own plane.
 VehicleMesh vehicle_mesh(const Vehicle& vehicle, const RunSample& sample);
 
+// The same around a body_mesh that is there already: reading one takes longer than drawing it.
+Mesh moved_vehicle_mesh(const Vehicle& vehicle, const Mesh& body, const RunSample& sample);
+
 // Place and attitude of B in D. The attitude follows the stretched relief.
 Eigen::Isometry3d pose_in_D(const RunSample& sample, const Relief& relief);
 

@@ -47,13 +47,14 @@ View look_at(const Eigen::AlignedBox3d& box, double heading_rad, double down_rad
 }
 
 // The ground as far as the window shows it, then the vehicle and its shadow.
-void paint_window(const Mesh& mesh, const View& view, const Page& page, const Typeface& typeface) {
+void paint_window(const Canvas& canvas, const Mesh& mesh, const View& view,
+                  const Typeface& typeface) {
   const Box& box = view.camera.view_px;
-  look_through(box, page.size_px.y());
+  look_through(box, canvas);
   Sheet sky;
   fill_box(sky, box, colours::kSky);
-  paint(sky, typeface, page.size_px);
-  look_through(box, page.size_px.y());
+  paint(sky, typeface, canvas);
+  look_through(box, canvas);
   glClear(GL_DEPTH_BUFFER_BIT);
   constexpr double kReach_m = 60.0;
   constexpr double kThickness_m = 0.05;
@@ -61,9 +62,9 @@ void paint_window(const Mesh& mesh, const View& view, const Page& page, const Ty
                                colours::kUnworked);
   const Eigen::Matrix4f clip = clip_from_D(view.camera);
   const Eigen::Vector3f sun = sun_for(view.heading_rad);
-  paint_solids(upload(ground), clip, view.camera.eye_D, sun);
-  paint_shadow(mesh, Point3::Zero(), Point3::UnitZ(), clip, sun);
-  paint_solids(upload(mesh), clip, view.camera.eye_D, sun);
+  paint_solids(canvas, upload(ground), clip, view.camera.eye_D, sun);
+  paint_shadows(canvas, upload(shadow_mesh(mesh, Point3::Zero(), Point3::UnitZ(), sun)), clip);
+  paint_solids(canvas, upload(mesh), clip, view.camera.eye_D, sun);
 }
 
 // Marks the centre of mass and the line of gravity, and the tipping points with their lines to it.
@@ -128,7 +129,7 @@ Image draw_vehicle_sheet(const Vehicle& vehicle, std::span<const SheetFigure> fi
   constexpr double kNearlyParallel_rad = 6.0 * kDegree;
   const Page page = page_of(size, kColumn);
   Typeface typeface(kFontFile, kBoldFontFile);
-  const OsmesaContext context;
+  const GlContext context;
   const GlFrame frame(size.width, size.height, colours::kPaper);
   RunSample standing;
   standing.implement_down = true;
@@ -149,10 +150,6 @@ Image draw_vehicle_sheet(const Vehicle& vehicle, std::span<const SheetFigure> fi
   const View perspective = look_at(box, kFromAhead_rad, 18.0 * kDegree, 30.0 * kDegree, top);
   const View side = look_at(box, 0.5 * std::numbers::pi, 2.0 * kDegree, kNearlyParallel_rad, left);
   const View rear = look_at(box, 0.0, 2.0 * kDegree, kNearlyParallel_rad, right);
-  for (const View* view : {&perspective, &side, &rear}) {
-    paint_window(body.mesh, *view, page, typeface);
-  }
-
   Sheet sheet;
   const Point3 com_B = total_com_B(vehicle);
   mark_stability(sheet, page, side, com_B,
@@ -169,9 +166,13 @@ Image draw_vehicle_sheet(const Vehicle& vehicle, std::span<const SheetFigure> fi
   write_text(sheet, typeface, {page.main.x, page.px(74)}, vehicle.description, page.text(15),
              colours::kInkSoft);
   write_column(sheet, typeface, page, figures, body.note);
-  look_at_page();
-  paint(sheet, typeface, page.size_px);
-  return frame.read();
+  return frame.draw([&](const Canvas& canvas) {
+    for (const View* view : {&perspective, &side, &rear}) {
+      paint_window(canvas, body.mesh, *view, typeface);
+    }
+    look_at_page();
+    paint(sheet, typeface, canvas);
+  });
 }
 
 }  // namespace headland

@@ -19,7 +19,7 @@ packages=(
   # runs as data
   libsqlite3-dev libssl-dev
   # pictures
-  libosmesa6-dev libassimp-dev libpng-dev libfreetype-dev fonts-dejavu-core gnuplot-nox
+  libosmesa6-dev libassimp-dev libpng-dev libfreetype-dev fonts-dejavu-core gnuplot-nox ffmpeg
   # tests and benchmarks; the browser is for the report's page
   libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev chromium
 )

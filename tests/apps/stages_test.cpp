@@ -225,6 +225,20 @@ TEST_F(StagesTest, CtrlCWhilePlanningWritesNothing) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "DIR"));
 }
 
+TEST_F(StagesTest, CtrlCWhileFilmingLeavesNoFile) {
+  ASSERT_LE(headland(kEvaluateTiny + "DIR -q").exit_code, 1);
+  const std::set<std::string> before = files_in("DIR");
+  constexpr useconds_t kIntoTheFilming_us = 700000;
+  constexpr double kAtOnce_s = 3.0;  // on a busy machine; so many frames take longer
+  const Interruption film =
+      interrupt(folder_, {"render", "DIR", "--video", "DIR/run.mp4", "--speed", "1", "-q"},
+                kIntoTheFilming_us);
+  EXPECT_EQ(film.exit_code, 130);
+  EXPECT_EQ(film.err, "headland: interrupted; what the finished stages wrote is kept\n");
+  EXPECT_LT(film.took_s, kAtOnce_s);
+  EXPECT_EQ(files_in("DIR"), before);
+}
+
 TEST_F(StagesTest, CtrlCWhileDrawingEndsAtOnceAndLeavesNoPicture) {
   ASSERT_LE(headland(kEvaluateTiny + "DIR -q").exit_code, 1);
   const std::string before = text_of(folder_ / "DIR" / "field.png");

@@ -9,9 +9,9 @@
 #include <cstdlib>
 
 #include "render/convergence_chart.h"
+#include "render/gl_context.h"
 #include "render/gnuplot.h"
 #include "render/grid_panel.h"
-#include "render/osmesa_context.h"
 #include "terrains/grid_map_file.h"
 
 namespace headland {
@@ -33,12 +33,11 @@ const std::vector<GridCell> kThere = {{0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}, {3
 Image painted(const GridMap& map, const std::vector<GridCell>& path) {
   const Eigen::Vector2i size(map.columns * kSide_px + 20, map.rows * kSide_px + 20);
   Typeface typeface(kFontFile, kBoldFontFile);
-  const OsmesaContext context;
+  const GlContext context;
   const GlFrame frame(size.x(), size.y(), colours::kPaper);
   Sheet sheet;
   draw_grid_panel(sheet, {map, {kCorner_px, kCorner_px}, kSide_px}, path);
-  paint(sheet, typeface, size);
-  return frame.read();
+  return frame.draw([&](const Canvas& canvas) { paint(sheet, typeface, canvas); });
 }
 
 Rgba pixel_at(const Image& image, double x_px, double y_px) {

@@ -215,10 +215,21 @@ TEST(View, ShowsWorkedSoilOnLevelGroundInTheColourOfItsLegend) {
   EXPECT_LE(difference(pixel(image, left.x(), left.y()), colours::kUnworked), kColourRounding);
 }
 
+Image draw_whole_view(const PictureScene& scene, const PictureSize& size) {
+  return draw_view(scene, size);
+}
+Image draw_whole_elevation(const PictureScene& scene, const PictureSize& size) {
+  return draw_elevation(scene, size);
+}
+Image draw_slip_map(const PictureScene& scene, const PictureSize& size) {
+  return draw_quantity_map(scene, size, PathQuantity::kSlip);
+}
+
 using Draw = Image (*)(const PictureScene&, const PictureSize&);
 class EveryPicture : public testing::TestWithParam<Draw> {};
 INSTANTIATE_TEST_SUITE_P(Pictures, EveryPicture,
-                         testing::Values(&draw_field_map, &draw_view, &draw_energy_map));
+                         testing::Values(&draw_field_map, &draw_whole_view, &draw_energy_map,
+                                         &draw_whole_elevation, &draw_slip_map));
 
 TEST_P(EveryPicture, IsTheSameEachTime) {
   const MadeRun made = rolling_run(60.0, 3.0);

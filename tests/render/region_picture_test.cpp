@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "render/osmesa_context.h"
+#include "render/gl_context.h"
 #include "render/region_panel.h"
 
 namespace headland {
@@ -29,12 +29,11 @@ Image painted_region(const RegionGround& ground, const std::vector<DrawnVisit>& 
   const Eigen::AlignedBox2d box_W = seen_box(ground);
   const Eigen::Vector2i size = (kScale * box_W.sizes()).cast<int>();
   Typeface typeface(kFontFile, kBoldFontFile);
-  const OsmesaContext context;
+  const GlContext context;
   const GlFrame frame(size.x(), size.y(), colours::kPaper);
   Sheet sheet;
   draw_region_panel(sheet, typeface, {ground, box_W, {0, 0}, kScale}, visits);
-  paint(sheet, typeface, size);
-  return frame.read();
+  return frame.draw([&](const Canvas& canvas) { paint(sheet, typeface, canvas); });
 }
 
 class RegionPixels : public testing::Test {

@@ -1,0 +1,31 @@
+// The video of a run, as `headland render --video` asks for it.
+#pragma once
+
+#include <optional>
+
+#include "apps/stages.h"
+#include "evaluate/report_record.h"
+
+namespace headland {
+
+struct VideoRequest {
+  std::filesystem::path file;  // ends in .mp4
+  PictureSize size{1280, 720};
+  std::optional<double> speed;  // seconds of the run in one of the video; none: a minute at most
+  std::optional<double> from_s;
+  std::optional<double> to_s;
+  double frames_per_s = 25.0;
+  int processes = 0;  // 0: as many as there are processors
+  bool quiet = false;
+};
+
+struct VideoFigures {
+  int frames = 0;
+  double speed = 1.0;
+};
+
+// Throws InputError for sizes, times and speeds that make no video and when ffmpeg is missing, and
+// Interrupted after Ctrl-C. What does not come to its end leaves no file.
+VideoFigures video_stage(const Job& job, const RecordedRun& recorded, const VideoRequest& request);
+
+}  // namespace headland
