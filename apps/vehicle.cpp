@@ -64,7 +64,7 @@ void add_body(const Vehicle& vehicle, Figures& out) {
                                                                     : "the middle of the axles",
                       com_B.z()));
   out.add("inertia_kg_m2", {inertia.x(), inertia.y(), inertia.z()}, "Inertia roll, pitch, yaw",
-          fmt::format("{:.3g}, {:.3g}, {:.3g} kg m²", inertia.x(), inertia.y(), inertia.z()));
+          fmt::format("{:.0f}, {:.0f}, {:.0f} kg m²", inertia.x(), inertia.y(), inertia.z()));
   out.add("size_m", {body.length_m, body.width_m, body.height_m}, "Length, width, height",
           fmt::format("{:.2f} x {:.2f} x {:.2f} m", body.length_m, body.width_m, body.height_m));
   out.add("wheelbase_m", wheelbase_m(vehicle), "Wheelbase",
