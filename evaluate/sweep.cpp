@@ -90,7 +90,7 @@ std::vector<std::vector<Task>> by_plan(const Sweep& sweep, const std::vector<Tas
 }
 
 // A sweep that is being run.
-struct Running {
+struct RunningSweep {
   const Sweep& sweep;
   RunStore& store;
   RunClaims claims;
@@ -113,7 +113,7 @@ void count_run(const std::string& what, const EvaluatedRun& run, SweepResult& re
 
 enum class TaskEnd { kDone, kElsewhere, kCancelled };
 
-TaskEnd do_claimed_task(Running& running, const Task& task, SharedPlan& plan,
+TaskEnd do_claimed_task(RunningSweep& running, const Task& task, SharedPlan& plan,
                         const CancelAsked& cancelled) {
   // Only under its claim: another program may just have finished it.
   if (holds_run(running.store, task.key)) {
@@ -138,7 +138,7 @@ TaskEnd do_claimed_task(Running& running, const Task& task, SharedPlan& plan,
   return TaskEnd::kDone;
 }
 
-TaskEnd do_task(Running& running, const Task& task, SharedPlan& plan,
+TaskEnd do_task(RunningSweep& running, const Task& task, SharedPlan& plan,
                 const CancelAsked& cancelled) {
   if (!running.claims.claim(task.key)) return TaskEnd::kElsewhere;
   const TaskEnd end = do_claimed_task(running, task, plan, cancelled);
@@ -147,7 +147,7 @@ TaskEnd do_task(Running& running, const Task& task, SharedPlan& plan,
 }
 
 // False when it was cancelled.
-bool do_group(Running& running, const std::vector<Task>& group, const CancelAsked& cancelled,
+bool do_group(RunningSweep& running, const std::vector<Task>& group, const CancelAsked& cancelled,
               const std::function<void()>& progress) {
   SharedPlan plan;
   for (const Task& task : group) {
@@ -209,7 +209,7 @@ SweepResult run_sweep(const Sweep& sweep, RunStore& store, const Shard& shard,
                       const ParallelOptions& options) {
   const auto ended = [&] { return options.cancelled && options.cancelled(); };
   const std::vector<SweepCell> cells = keyed_cells(sweep, options);
-  Running running{sweep, store, RunClaims(store.file), {}, {}, 0, {}};
+  RunningSweep running{sweep, store, RunClaims(store.file), {}, {}, 0, {}};
   running.result.cells = cells.size();
   running.result.ended_early = ended();
   if (running.result.ended_early) return running.result;
