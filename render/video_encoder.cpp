@@ -9,9 +9,9 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <sstream>
 #include <string>
 #include <system_error>
-#include <vector>
 
 #include "terrains/input_error.h"
 
@@ -23,10 +23,13 @@ constexpr char kMissing[] = "is not installed; it writes videos (Debian: ffmpeg)
 }  // namespace
 
 void require_ffmpeg() {
-  const int status = std::system("ffmpeg -version >/dev/null 2>&1");
-  // What the shell says of a command that it does not find.
-  constexpr int kNotFound = 127;
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != kNotFound) return;
+  // Asking a shell would lose a Ctrl-C.
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const std::string program = (folder.empty() ? "." : folder) + "/ffmpeg";
+    if (::access(program.c_str(), X_OK) == 0) return;
+  }
   throw InputError("ffmpeg", "", "", kMissing);
 }
 

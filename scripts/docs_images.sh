@@ -10,6 +10,13 @@ results=$(mktemp -d)
 trap 'rm -rf "$results"' EXIT
 build/headland evaluate examples/demo.yaml -o "$results" --quiet
 cp "$results"/{field,view,energy}.png docs/images/
+render=(build/headland render "$results" -q)
+"${render[@]}" --view chase --at 16:40 --size 1280x720 -o docs/images/chase.png
+"${render[@]}" --view event:tightest_turn --size 1280x720 -o docs/images/event_tightest_turn.png
+"${render[@]}" --view map --overlay slip --size 1280x800 -o docs/images/map_slip.png
+"${render[@]}" --view elevation --overlay power --at 16:40 --size 1280x800 -o docs/images/elevation.png
+build/headland render "$results" -q --video "$results/run.mp4" --from 16:00 --to 16:40 --speed 40 --size 960x540
+ffmpeg -v error -y -ss 0.9 -i "$results/run.mp4" -frames:v 1 docs/images/video_frame.png
 node web/pictures.js "$results/report.html" docs/images
 build/headland vehicle check four_wheel_steer_robot -o docs/images/four_wheel_steer_robot.png >/dev/null
 build/headland vehicle check utility_tractor --soil tilled --charts docs/images/utility_tractor_charts.svg \
