@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kFaultsTold = 5;
 
-struct Running {
+struct TuningUnderWay {
   const Tuning& tuning;
   RunStore& store;
   const TuneOptions& options;
@@ -33,7 +33,7 @@ void tally(const std::vector<PlanRun>& plans, const SweepResult& swept, RunTally
   }
 }
 
-std::vector<PlanRun> drive(Running& running, std::string_view what, const Sweep& sweep,
+std::vector<PlanRun> drive(TuningUnderWay& running, std::string_view what, const Sweep& sweep,
                            RunTally& counts) {
   ParallelOptions parallel;
   parallel.jobs = running.options.jobs;
@@ -58,7 +58,7 @@ std::vector<double> energies(const EnergyFit& fit, const std::vector<PlanRun>& p
   return wh;
 }
 
-void fit_forms(Running& running) {
+void fit_forms(TuningUnderWay& running) {
   const Tuning& tuning = running.tuning;
   const std::vector<PlanRun>& plans = running.result.training_plans;
   for (const GridObjective form : tuning.forms) {
@@ -101,7 +101,7 @@ std::map<std::string, double> usual_energies(const std::vector<PlanRun>& plans) 
 }
 
 // Energy of the plans that the planner makes with these weights, over the usual on each field.
-double driven_loss(Running& running, GridObjective form, const WeightShares& weights,
+double driven_loss(TuningUnderWay& running, GridObjective form, const WeightShares& weights,
                    const std::map<std::string, double>& usual) {
   const Tuning& tuning = running.tuning;
   const TunedMethod method{fmt::format("{} {:g} {:g} {:g}", grid_objective_name(form), weights[0],
@@ -122,7 +122,7 @@ double driven_loss(Running& running, GridObjective form, const WeightShares& wei
   return counted > 0 ? sum / counted : kFaultLoss;
 }
 
-void search_forms(Running& running) {
+void search_forms(TuningUnderWay& running) {
   if (running.tuning.evaluations == 0) return;
   const auto usual = usual_energies(running.result.training_plans);
   for (FormReport& report : running.result.forms) {
@@ -142,7 +142,7 @@ std::string_view author_of(GridObjective form) {
   return form == GridObjective::kWeighted ? "Wu et al." : "Wang et al.";
 }
 
-void add_tuned_methods(Running& running) {
+void add_tuned_methods(TuningUnderWay& running) {
   TuneResult& result = running.result;
   const auto add = [&](const std::string& label, const GridCost& cost) {
     result.methods.push_back({label, planner_with(running.tuning, cost)});
@@ -174,7 +174,7 @@ void add_tuned_methods(Running& running) {
 }
 
 // Fitted like the first form with weights, to energies that have nothing to do with the plans.
-void add_controls(Running& running) {
+void add_controls(TuningUnderWay& running) {
   const Tuning& tuning = running.tuning;
   TuneResult& result = running.result;
   const auto form = std::find_if(result.forms.begin(), result.forms.end(), [](const FormReport& r) {
@@ -195,7 +195,7 @@ void add_controls(Running& running) {
   }
 }
 
-void add_methods(Running& running) {
+void add_methods(TuningUnderWay& running) {
   const Tuning& tuning = running.tuning;
   const auto add = [&](std::string_view label, GridObjective objective) {
     GridCost cost;
@@ -214,7 +214,7 @@ void add_methods(Running& running) {
   add_controls(running);
 }
 
-void prove(Running& running) {
+void prove(TuningUnderWay& running) {
   const Tuning& tuning = running.tuning;
   TuneResult& result = running.result;
   const std::vector<PlanRun> plans =
@@ -239,7 +239,7 @@ void prove(Running& running) {
 }  // namespace
 
 TuneResult run_tuning(const Tuning& tuning, RunStore& store, const TuneOptions& options) {
-  Running running{tuning, store, options, {}};
+  TuningUnderWay running{tuning, store, options, {}};
   running.result.training_plans = fit_plans(
       drive(running, "training drives",
             sweep_by(tuning.training, tuning.name + ": training", training_methods(tuning)),
