@@ -21,7 +21,7 @@
 namespace headland {
 namespace {
 
-constexpr int kMostJobs = 1024;
+constexpr int kMostTuneJobs = 1024;
 constexpr char kCostsFile[] = "costs.yaml";
 
 struct TuneCommand {
@@ -84,9 +84,9 @@ TuneResult tuned(const TuneCommand& command, const Tuning& tuning) {
 }
 
 int tune(const TuneCommand& command) {
-  if (command.jobs < 1 || command.jobs > kMostJobs) {
+  if (command.jobs < 1 || command.jobs > kMostTuneJobs) {
     throw InputError("--jobs", "", fmt::format("{}", command.jobs),
-                     fmt::format("a whole number from 1 to {}", kMostJobs));
+                     fmt::format("a whole number from 1 to {}", kMostTuneJobs));
   }
   check_output_folder(command.folder);
   const std::filesystem::path folder = command.folder;
