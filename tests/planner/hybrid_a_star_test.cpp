@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <numbers>
 
 #include "planner/connection.h"
@@ -113,7 +112,7 @@ TEST(HybridAStar, ReversesOutOfADeadEnd) {
 TEST(HybridAStar, BacksIntoABayAsWideAsTheHull) {
   Field field;
   const Hull hull = hull_of(made_up_vehicle(2.6, 2.0));
-  const double half_m = std::max(hull.half_width_m, hull.bar_half_width_m) + 0.005;
+  const double half_m = hull.half_width_m + 0.005;
   field.boundary = {{-half_m, 0.0}, {half_m, 0.0}, {half_m, 8.0}, {25.0, 8.0},
                     {25.0, 33.0},   {-25.0, 33.0}, {-25.0, 8.0},  {-half_m, 8.0}};
   Scene scene(field);
