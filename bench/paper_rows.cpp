@@ -207,7 +207,9 @@ std::vector<TableNote> table_notes() {
   return {
       {"000 Table 2",
        "the paper's map is not published, ours has its size, share and number of obstacles; our "
-       "ants see cells within 3 steps only, and greedy orders end in a given corner"},
+       "ants see cells within 3 steps only, and greedy orders end in a given corner; by the "
+       "paper's "
+       "Eq 11 its Crr do not follow from its lengths, ours do"},
       {"000 Table 3",
        "changes that make an order no longer are kept, those of equal length too, where the paper "
        "does not say; SPBO's acting on orders is our reading, and as good"},
