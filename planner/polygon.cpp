@@ -81,6 +81,12 @@ Ring circumscribed_circle(const Eigen::Vector2d& centre_W, double radius_m) {
   return ring;
 }
 
+std::vector<std::size_t> ring_counts(const PolygonSet& set) {
+  std::vector<std::size_t> counts;
+  for (const PolygonPart& part : set.parts) counts.push_back(part.holes.size());
+  return counts;
+}
+
 }  // namespace
 
 PolygonSet from_field(const Field& field, double obstacle_margin_m) {
@@ -111,10 +117,18 @@ PolygonSet buffered(const PolygonSet& set, double distance_m, Join join, int qua
 
 PolygonSet simplified(const PolygonSet& set, double tolerance_m) {
   const GeosScope geos;
-  return set_of(geos, owned(geos,
-                            GEOSTopologyPreserveSimplify_r(
-                                geos.handle(), geometry_of(geos, set).get(), tolerance_m),
-                            "simplify"));
+  const Geometry whole = geometry_of(geos, set);
+  // Looking at every crossing takes minutes for rings of many thousand points; hardly ever is there
+  // one within a small tolerance.
+  const Geometry plain =
+      owned(geos, GEOSSimplify_r(geos.handle(), whole.get(), tolerance_m), "simplify");
+  if (GEOSisValid_r(geos.handle(), plain.get()) == 1) {
+    PolygonSet result = set_of(geos, plain);
+    if (ring_counts(result) == ring_counts(set)) return result;
+  }
+  return set_of(geos,
+                owned(geos, GEOSTopologyPreserveSimplify_r(geos.handle(), whole.get(), tolerance_m),
+                      "simplify"));
 }
 
 PolygonSet difference(const PolygonSet& a, const PolygonSet& b) {
