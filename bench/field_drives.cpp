@@ -17,6 +17,7 @@ namespace {
 struct DriveRow {
   SuiteRow planned;
   std::string outcome;
+  std::string detail;  // where and why it did not finish
   double overrun_m = 0.0;
   double driven_percent = 0.0;  // of the reachable ground
   double overlap_percent = 0.0;
@@ -48,6 +49,7 @@ void drive(const SuiteField& made, DriveRow& row) {
   const CoverageFigures reachable = coverage_figures(
       reachable_part(raster, stage.field, stage.vehicle, made.scenario.path.clearance_m));
   row.outcome = outcome_name(run.outcome);
+  row.detail = run.outcome_detail;
   row.overrun_m = run.peaks.boundary_overrun_m.value;
   row.driven_percent = 100.0 * (1.0 - reachable.missed_m2 / std::max(reachable.workable_m2, 1e-9));
   row.overlap_percent = 100.0 * metrics.overlap_ratio;
@@ -59,6 +61,7 @@ nlohmann::ordered_json drive_json(const DriveRow& row) {
   nlohmann::ordered_json json = row_json(row.planned);
   if (!row.planned.refusal.empty()) return json;
   json["outcome"] = row.outcome;
+  json["detail"] = row.detail;
   json["overrun_m"] = row.overrun_m;
   json["driven_of_reachable_percent"] = row.driven_percent;
   json["driven_overlap_percent"] = row.overlap_percent;
@@ -81,6 +84,7 @@ void print_row(const DriveRow& row) {
                   row.outcome, row.overrun_m, covered_percent(row.planned), row.driven_percent,
                   row.overlap_percent, row.track_rms_m, row.energy_wh, row.drive_s)
                   .c_str());
+    if (!row.detail.empty()) std::puts(("  " + row.detail).c_str());
   }
   std::fflush(stdout);
 }
@@ -111,8 +115,8 @@ void print_drives(const DrivesAsked& asked) {
   std::mutex mutex;
   run_in_parallel(rows.size(), options, [&](std::size_t i, const CancelAsked&) {
     SuiteField made;
-    rows[i].planned =
-        suite_row(rows[i].planned.recipe, rows[i].planned.vehicle, asked.parameters, &made);
+    rows[i].planned = suite_row(rows[i].planned.recipe, rows[i].planned.vehicle, asked.parameters,
+                                asked.clearance_m, &made);
     if (rows[i].planned.refusal.empty()) drive(made, rows[i]);
     const std::scoped_lock lock(mutex);
     if (!asked.json) print_row(rows[i]);

@@ -14,6 +14,7 @@ struct DrivesAsked {
   int jobs = 1;
   std::vector<std::string> vehicles = {"transplanter", "utility_tractor"};
   Parameters parameters;
+  double clearance_m = 0.1;  // of hull and implement; leaning on a slope takes some of it
   bool json = false;
 };
 

@@ -56,12 +56,13 @@ void judge_path(const SuiteField& made, SuiteRow& row) {
 }  // namespace
 
 SuiteRow suite_row(const FieldRecipe& recipe, const std::string& vehicle,
-                   const Parameters& parameters, SuiteField* kept) {
+                   const Parameters& parameters, double clearance_m, SuiteField* kept) {
   SuiteRow row;
   row.recipe = recipe;
   row.vehicle = vehicle;
   SuiteField made;
   made.scenario.vehicle = vehicle;
+  made.scenario.path.clearance_m = clearance_m;
   const PlannerEntry& planner = find_planner(made.scenario.planner.name, "bench");
   made.scenario.planner.parameters =
       resolve_parameters(planner.parameters, parameters, "bench", "planner");

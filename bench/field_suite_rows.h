@@ -40,7 +40,7 @@ struct SuiteField {
 
 // Plans and audits. What is refused has a reason and nothing else; `kept` may be null.
 SuiteRow suite_row(const FieldRecipe& recipe, const std::string& vehicle,
-                   const Parameters& parameters, SuiteField* kept = nullptr);
+                   const Parameters& parameters, double clearance_m, SuiteField* kept = nullptr);
 
 // Of the coverage raster [m]: fine on small fields, where slivers tell.
 double coverage_cell_m(const Field& field);

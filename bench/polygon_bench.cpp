@@ -83,7 +83,7 @@ int run_suite(const Asked& asked) {
   options.jobs = asked.jobs;
   std::mutex mutex;
   run_in_parallel(rows.size(), options, [&](std::size_t i, const CancelAsked&) {
-    rows[i] = suite_row(rows[i].recipe, rows[i].vehicle, parameters);
+    rows[i] = suite_row(rows[i].recipe, rows[i].vehicle, parameters, PathOptions{}.clearance_m);
     const std::scoped_lock lock(mutex);
     if (!asked.json) print_row(rows[i]);
     return true;
@@ -142,6 +142,7 @@ int main(int argc, char** argv) {
   headland::bench::DrivesAsked drives;
   drive->add_option("--fields", drives.fields, "How many");
   drive->add_option("--most-ha", drives.most_ha, "Leave out larger ones");
+  drive->add_option("--clearance", drives.clearance_m, "Kept by the hull [m]");
   drive->add_option("--jobs", drives.jobs, "Threads");
   drive->add_option("--vehicle", drives.vehicles, "Vehicles");
   drive->add_option("--set", asked.set, "KEY=VALUE: a parameter of the planner");
