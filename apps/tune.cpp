@@ -56,13 +56,15 @@ void measure_for(const TuneCommand& command, Tuning& tuning) {
   tuning.costs = std::filesystem::absolute(command.folder) / kCostsFile;
 }
 
-TuneResult tuned(const TuneCommand& command, const Tuning& tuning) {
-  RunStore store;
+void open_store(const TuneCommand& command, RunStore& store) {
+  std::filesystem::create_directories(command.folder);
   const std::filesystem::path file = command.store.empty()
                                          ? std::filesystem::path(command.folder) / "runs.db"
                                          : std::filesystem::path(command.store);
-  std::filesystem::create_directories(command.folder);
   open_run_store(file, DatabaseMode::kWrite, store);
+}
+
+TuneResult tuned(const TuneCommand& command, const Tuning& tuning, RunStore& store) {
   ProgressLine line = start_progress(command.quiet);
   TuneOptions options;
   options.jobs = command.jobs;
@@ -95,8 +97,10 @@ int tune(const TuneCommand& command) {
   }
   Tuning tuning = read_tuning(command.spec);
   require_gnuplot();
+  RunStore store;
+  open_store(command, store);
   if (tuning.costs.empty()) measure_for(command, tuning);
-  const TuneResult result = tuned(command, tuning);
+  const TuneResult result = tuned(command, tuning, store);
   nlohmann::ordered_json json = tuning_json(tuning, result, HEADLAND_VERSION);
   std::vector<FileText> files = {{kTuningFile, json_text(json, 1) + "\n"}};
   const std::string weights = tuned_weights_yaml(tuning, result);
