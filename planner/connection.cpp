@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "planner/hybrid_a_star.h"
 #include "planner/long_route.h"
@@ -184,6 +185,40 @@ double least_depth_m(const FreeSpace& space, const Pose& from, const Pose& to, d
     least_m = std::min(least_m, depth_m);
   }
   return least_m;
+}
+
+std::vector<Pose> poses_near(const FreeSpace& space, const Eigen::Vector2d& p_W,
+                             double clearance_m) {
+  constexpr double kMostShift_m = 25.0;
+  constexpr double kRing_m = 0.5;
+  constexpr int kHeadings = 24;
+  constexpr int kPlaces = 16;  // on each ring
+  std::vector<Pose> poses;
+  for (double ring_m = 0.0; ring_m <= kMostShift_m && poses.empty(); ring_m += kRing_m) {
+    const int places = ring_m == 0.0 ? 1 : kPlaces;
+    for (int place = 0; place < places; ++place) {
+      const Eigen::Vector2d at_W =
+          p_W + ring_m * direction_of(2.0 * std::numbers::pi * place / places);
+      for (int i = 0; i < kHeadings; ++i) {
+        const Pose pose{at_W, wrap_angle(2.0 * std::numbers::pi * i / kHeadings)};
+        if (fits(space, pose, clearance_m)) poses.push_back(pose);
+      }
+    }
+  }
+  return poses;
+}
+
+TightestPlace tightest_place(const FreeSpace& space, const Path& path, double asked_m) {
+  TightestPlace tightest;
+  for (const PathSegment& segment : path.segments) {
+    for (const PathPoint& point : segment.points) {
+      const double kept_m = clearance_m(space, pose_of(point), asked_m);
+      if (kept_m < asked_m - kFitTolerance_m && kept_m < tightest.clearance_m) {
+        tightest = {kept_m, point.p_W};
+      }
+    }
+  }
+  return tightest;
 }
 
 }  // namespace headland

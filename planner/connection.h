@@ -7,6 +7,7 @@
 #include "planner/arcs.h"
 #include "planner/cancel.h"
 #include "planner/free_space.h"
+#include "planner/path.h"
 
 namespace headland {
 
@@ -53,5 +54,14 @@ inline constexpr double kOverrunMetreCost = 10.0;
 // How far [m] the hull swings out along `outward` beyond p_W in the turn that needs least.
 double least_depth_m(const FreeSpace& space, const Pose& from, const Pose& to, double radius_m,
                      const Eigen::Vector2d& p_W, const Eigen::Vector2d& outward);
+
+// Poses nearest to a place where the hull keeps the clearance, all on the same ring about it, in 24
+// headings: an entry is usually a gate in the boundary, and the path begins where there is room
+// near it. None within 25 m.
+std::vector<Pose> poses_near(const FreeSpace& space, const Eigen::Vector2d& p_W,
+                             double clearance_m);
+
+// Where a path keeps least of the clearance asked for.
+TightestPlace tightest_place(const FreeSpace& space, const Path& path, double asked_m);
 
 }  // namespace headland

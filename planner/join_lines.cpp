@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -15,11 +14,6 @@
 namespace headland {
 namespace {
 
-// The entry is usually a gate in the boundary; the path begins where the hull fits near it.
-constexpr double kMaxEntryShift_m = 25.0;
-constexpr double kEntryRing_m = 0.5;
-constexpr int kEntryHeadings = 24;
-constexpr int kEntryPlaces = 16;  // on each ring
 // Nodes that a route to or from an optional pass may take: there are many, and the next one may do.
 constexpr int kOptionalNodes = 3000;
 // So many of them are tried in turn before the vehicle is taken to be stuck, and each so often.
@@ -327,30 +321,13 @@ void append_line(Joining& joining, std::size_t index) {
   ++joining.manoeuvre;
 }
 
-// Poses nearest to the entry where the hull fits, all on the same ring about it.
-std::vector<Pose> entry_poses(const Joining& joining, const Eigen::Vector2d& entry_W) {
-  std::vector<Pose> poses;
-  for (double ring_m = 0.0; ring_m <= kMaxEntryShift_m && poses.empty(); ring_m += kEntryRing_m) {
-    const int places = ring_m == 0.0 ? 1 : kEntryPlaces;
-    for (int place = 0; place < places; ++place) {
-      const Eigen::Vector2d p_W =
-          entry_W + ring_m * direction_of(2.0 * std::numbers::pi * place / places);
-      for (int i = 0; i < kEntryHeadings; ++i) {
-        const Pose pose{p_W, wrap_angle(2.0 * std::numbers::pi * i / kEntryHeadings)};
-        if (fits(joining.space, pose, joining.options.clearance_m)) poses.push_back(pose);
-      }
-    }
-  }
-  return poses;
-}
-
 // The way from the entry to the first line, from the heading that makes it cheapest.
 void append_entry(Joining& joining, const Eigen::Vector2d& entry_W) {
   const PathPoint& to = joining.lines.front().points.front();
   const double clearance_m = std::max(
       -kFitTolerance_m,
       clearance_between(joining.space, pose_of(to), pose_of(to), joining.options.clearance_m));
-  const std::vector<Pose> poses = entry_poses(joining, entry_W);
+  const std::vector<Pose> poses = poses_near(joining.space, entry_W, joining.options.clearance_m);
   struct Choice {
     Pose from;
     Turn turn;
@@ -390,19 +367,6 @@ void append_entry(Joining& joining, const Eigen::Vector2d& entry_W) {
   const Overrun worst = worst_overrun(joining.space, from, arcs);
   if (worst.depth_m > 0.0) record(joining, worst, "way from the entry");
   append_arcs(joining, from, arcs, to, PathKind::kTransit);
-}
-
-TightestPlace tightest_place(const FreeSpace& space, const Path& path, double asked_m) {
-  TightestPlace tightest;
-  for (const PathSegment& segment : path.segments) {
-    for (const PathPoint& point : segment.points) {
-      const double kept_m = clearance_m(space, pose_of(point), asked_m);
-      if (kept_m < asked_m - kFitTolerance_m && kept_m < tightest.clearance_m) {
-        tightest = {kept_m, point.p_W};
-      }
-    }
-  }
-  return tightest;
 }
 
 }  // namespace
