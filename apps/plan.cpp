@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "apps/commands.h"
+#include "apps/interrupt.h"
 #include "apps/summary.h"
 #include "apps/terminal_text.h"
 #include "evaluate/results.h"
@@ -21,6 +22,7 @@ int plan(const CommonOptions& options) {
   }
   const bool had_run = std::filesystem::exists(job.folder / kRunFile);
   const PlanResult result = plan_stage(job);
+  stop_if_interrupted();
   if (had_run && !options.quiet) {
     fmt::print(stderr, "headland: removed what an earlier drive had left in {}\n",
                terminal_text(job.folder.string()));

@@ -68,10 +68,15 @@ Image draw_grid(const Job& job, const ViewRequest& request) {
     }
   }
   const nlohmann::ordered_json json = parse_json(file);
-  figure.lines = {fmt::format("{}: {} steps, {} repeated, {} turns, {} U-turns",
-                              json.value("planner", ""), json.value("steps", 0),
-                              json.value("repeats", 0), json.value("turns", 0),
-                              json.value("u_turns", 0))};
+  try {
+    figure.lines = {fmt::format("{}: {} steps, {} repeated, {} turns, {} U-turns",
+                                json.value("planner", ""), json.value("steps", 0),
+                                json.value("repeats", 0), json.value("turns", 0),
+                                json.value("u_turns", 0))};
+  } catch (const nlohmann::json::type_error&) {
+    throw InputError(file.string(), "planner, steps, repeats, turns, u_turns", "",
+                     "a text and four numbers are needed, as 'headland plan' writes them");
+  }
   return draw_grid_plan(map, figure);
 }
 

@@ -29,6 +29,8 @@ const std::vector<std::string> kPartsKeys = {"width_m",       "method",      "sl
 constexpr NumberRange kPartsWidth{0.05, 1000.0};
 constexpr NumberRange kPartsArea{0.0, 1e12};
 constexpr int kMostRegionHoles = 500;
+// Of a start or an end from the field: further off is a slip of the pen.
+constexpr double kFarthestPlace_m = 1000.0;
 
 bool has_field_key(const YamlSection& section, std::string_view key) {
   const YAML::Node node = section.node;
@@ -90,7 +92,14 @@ std::vector<ComparedMap> made_up_fields(const YamlSection& entry, const YamlSect
 std::optional<Eigen::Vector2d> place_in(const std::optional<GivenPlace>& given, const Field& field,
                                         const YamlSection& section, std::string_view key) {
   if (!given || std::holds_alternative<FreeChoice>(*given)) return std::nullopt;
-  if (const auto* p_W = std::get_if<Eigen::Vector2d>(&*given)) return *p_W;
+  if (const auto* p_W = std::get_if<Eigen::Vector2d>(&*given)) {
+    Eigen::AlignedBox2d near;
+    for (const Eigen::Vector2d& corner_W : field.boundary) near.extend(corner_W);
+    if (near.exteriorDistance(*p_W) <= kFarthestPlace_m) return *p_W;
+    throw InputError(section.source, place_of(section, key),
+                     fmt::format("[{:g}, {:g}]", p_W->x(), p_W->y()),
+                     fmt::format("within {:g} m of the field", kFarthestPlace_m));
+  }
   if (std::holds_alternative<FieldEntry>(*given)) {
     if (field.entry_W) return field.entry_W;
     throw InputError(section.source, place_of(section, key), "entry",

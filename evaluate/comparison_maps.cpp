@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -190,12 +191,13 @@ std::vector<std::string> compared_map_key_paths() {
 
 std::optional<int> read_count(const YamlSection& section, std::string_view key, int least,
                               int most) {
-  const auto value = read_whole_number(section, key);
-  if (!value) return std::nullopt;
-  if (*value >= static_cast<std::uint64_t>(least) && *value <= static_cast<std::uint64_t>(most)) {
-    return static_cast<int>(*value);
-  }
-  throw InputError(section.source, place_of(section, key), fmt::format("{}", *value),
+  const auto text = read_word(section, key, "a whole number");
+  if (!text) return std::nullopt;
+  int value = 0;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+  const bool whole = error == std::errc() && end == text->data() + text->size();
+  if (whole && value >= least && value <= most) return value;
+  throw InputError(section.source, place_of(section, key), *text,
                    fmt::format("a whole number from {} to {} is needed", least, most));
 }
 

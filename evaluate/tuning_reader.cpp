@@ -155,8 +155,13 @@ void read_planner_to_tune(const YamlSection& top, Tuning& tuning) {
   }
   if (tuning.planner.grid) {
     const YAML::Node planner = node_of(top, "planner");
-    if (!planner.IsDefined() || !planner["cost"].IsDefined()) return;
-    throw InputError(top.source, "planner.cost", "", "what is tuned is not given");
+    if (!planner.IsDefined()) return;
+    for (const char* key : {"cost", "predict"}) {
+      if (!planner[key].IsDefined()) continue;
+      throw InputError(top.source, fmt::format("planner.{}", key), "",
+                       "not here: costs are tuned and measured, or those of the key costs");
+    }
+    return;
   }
   throw InputError(top.source, place_of(top, "planner"), tuning.planner.name,
                    "a planner on grid maps is needed: others have no weights");

@@ -244,6 +244,11 @@ TuneResult run_tuning(const Tuning& tuning, RunStore& store, const TuneOptions& 
       drive(running, "training drives",
             sweep_by(tuning.training, tuning.name + ": training", training_methods(tuning)),
             running.result.training));
+  const RunTally& counts = running.result.training;
+  if (running.result.training_plans.empty() && !counts.why.empty()) {
+    throw InputError(tuning.file.string(), "training", "no plan could be driven",
+                     counts.why.front());
+  }
   fit_forms(running);
   search_forms(running);
   add_methods(running);

@@ -6,6 +6,9 @@
 namespace headland {
 namespace {
 
+// Longer than any picture's diagonal.
+constexpr double kLongestStep_px = 20000.0;
+
 using Point2 = Eigen::Vector2d;
 using Point3 = Eigen::Vector3d;
 
@@ -36,6 +39,8 @@ void draw_arrows(Sheet& sheet, std::span<const Point3> line_px, const ArrowLook&
     const Point3 step = line_px[i] - line_px[i - 1];
     const double length = step.head<2>().norm();
     if (!(length > 0.0)) continue;
+    // From one place of a damaged record to another far off no way leads.
+    if (length > kLongestStep_px) continue;
     for (; left_px <= length; left_px += look.spacing_px) {
       draw_head(sheet, line_px[i - 1] + step * (left_px / length), step.head<2>() / length, look);
     }
