@@ -136,6 +136,7 @@ int render_video(const RenderOptions& options) {
   request.frames_per_s = options.frames_per_s;
   request.processes = options.processes;
   request.quiet = options.common.quiet || options.common.json;
+  check_video_request(request);
   const Job job = job_of(options.common);
   std::optional<RecordedRun> recorded;
   {

@@ -53,7 +53,9 @@ Times times_of(const RunRecord& run, const VideoRequest& request) {
   return times;
 }
 
-void check(const VideoRequest& request) {
+}  // namespace
+
+void check_video_request(const VideoRequest& request) {
   const auto refuse = [](const char* option, double given, const char* allowed) {
     throw InputError(option, "", fmt::format("{:g}", given), allowed);
   };
@@ -73,9 +75,16 @@ void check(const VideoRequest& request) {
   if (request.processes < 0 || request.processes > 64) {
     refuse("--jobs", request.processes, "from 1 to 64");
   }
+  const std::filesystem::path folder = std::filesystem::absolute(request.file).parent_path();
+  if (std::error_code ignored; !std::filesystem::is_directory(folder, ignored)) {
+    throw InputError("--video", "", request.file.string(), "a file in a folder that exists");
+  }
+  check_output_folder(folder);
   require_replaceable(request.file);
   require_ffmpeg();
 }
+
+namespace {
 
 // While one lives, writing to a program that has ended fails instead of ending this one.
 struct PipesIgnored {
@@ -89,7 +98,6 @@ struct PipesIgnored {
 }  // namespace
 
 VideoFigures video_stage(const Job& job, const RecordedRun& recorded, const VideoRequest& request) {
-  check(request);
   const Times times = times_of(recorded.run, request);
   stop_if_interrupted();
   const PipesIgnored ignored;

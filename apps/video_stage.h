@@ -24,7 +24,11 @@ struct VideoFigures {
   double speed = 1.0;
 };
 
-// Throws InputError for sizes, times and speeds that make no video and when ffmpeg is missing, and
+// Throws InputError for what makes no video of any run (size, speed, frames a second, processes),
+// for a file that could not be written, and when ffmpeg is missing.
+void check_video_request(const VideoRequest& request);
+
+// Takes a request that was checked. Throws InputError for times the run does not have, and
 // Interrupted after Ctrl-C. What does not come to its end leaves no file.
 VideoFigures video_stage(const Job& job, const RecordedRun& recorded, const VideoRequest& request);
 

@@ -7,6 +7,7 @@ namespace headland {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 class RenderTest : public CommandTest {
@@ -110,7 +111,8 @@ TEST_F(RenderTest, RefusesVideosItCannotMake) {
   EXPECT_THAT(refused("--speed 3"), HasSubstr("are of a --video"));
   EXPECT_THAT(refused("--video A/run.mp4", "PATH=/nowhere"),
               HasSubstr("ffmpeg: is not installed; it writes videos (Debian: ffmpeg)"));
-  EXPECT_THAT(refused("--video nowhere/deep/run.mp4 --to 1"), HasSubstr("nowhere/deep"));
+  EXPECT_THAT(refused("--video nowhere/deep/run.mp4 --to 1"),
+              AllOf(HasSubstr("nowhere/deep/run.mp4"), HasSubstr("in a folder that exists")));
 }
 
 }  // namespace
