@@ -8,6 +8,7 @@
 
 #include "render/page.h"
 #include "render/terrain_surface.h"
+#include "render/text_lines.h"
 #include "render/vehicle_mesh.h"
 #include "vehicle_models/vehicle_figures.h"
 
@@ -102,10 +103,17 @@ void write_column(Sheet& sheet, Typeface& typeface, const Page& page,
   const TextStyle style = page.text(14);
   for (const SheetFigure& figure : figures) {
     legend.y_px += page.px(21);
-    const double y = std::round(legend.y_px);
-    write_text(sheet, typeface, {page.column.x, y}, figure.label, style, colours::kInkSoft);
-    write_text(sheet, typeface, {page.column.right(), y}, figure.value, style, colours::kInk,
-               Align::kRight);
+    write_text(sheet, typeface, {page.column.x, std::round(legend.y_px)}, figure.label, style,
+               colours::kInkSoft);
+    const double room_px =
+        page.column.width - text_width_px(typeface, figure.label, style) - page.px(14);
+    double y_px = legend.y_px;
+    for (const std::string& line : lines_within(typeface, figure.value, style, room_px)) {
+      legend.y_px = y_px;
+      write_text(sheet, typeface, {page.column.right(), std::round(y_px)},
+                 fitted_text(typeface, line, style, room_px), style, colours::kInk, Align::kRight);
+      y_px += page.px(19);
+    }
   }
   legend_gap(legend, 18);
   legend_heading(legend, "In the views");
