@@ -92,9 +92,12 @@ MapView map_view(const PictureScene& scene, const Page& page) {
 
 namespace {
 
+// Finer than its pixels it would only cost time.
 Mesh map_mesh(const PictureScene& scene, const MapView& view, Rgba colour) {
+  constexpr double kSpacing_px = 2.0;
   return relief_mesh(scene.terrain, view.relief,
-                     grown(view.camera.window, 2.0 * scene.terrain.cell_m), colour);
+                     grown(view.camera.window, 2.0 * scene.terrain.cell_m), colour,
+                     kSpacing_px / view.camera.px_per_m);
 }
 
 SurfaceLook contoured(SurfaceLook look, const MapView& view) {

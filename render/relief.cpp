@@ -8,13 +8,14 @@ namespace {
 
 using Point = Eigen::Vector3d;
 
-// Columns or rows of nodes that are drawn: the ends and every `step`-th between.
-std::vector<int> drawn_nodes(double low, double high, int count) {
+// Columns or rows of nodes that are drawn: the ends and every `step`-th between, at least
+// `least_step`.
+std::vector<int> drawn_nodes(double low, double high, int count, int least_step) {
   const int first = std::clamp(static_cast<int>(std::ceil(low - 1e-9)), 0, count - 2);
   const int last = std::clamp(static_cast<int>(std::floor(high + 1e-9)), first + 1, count - 1);
-  const int step = (last - first + kMaxNodes - 2) / (kMaxNodes - 1);
+  const int step = std::max((last - first + kMaxNodes - 2) / (kMaxNodes - 1), least_step);
   std::vector<int> nodes;
-  for (int i = first; i < last; i += std::max(step, 1)) nodes.push_back(i);
+  for (int i = first; i < last; i += step) nodes.push_back(i);
   nodes.push_back(last);
   return nodes;
 }
@@ -24,11 +25,13 @@ struct Nodes {
   std::vector<int> rows;
 };
 
-Nodes nodes_inside(const Heightfield& terrain, const Extent& extent) {
+Nodes nodes_inside(const Heightfield& terrain, const Extent& extent, double spacing_m = 0.0) {
   const Eigen::Vector2d low = (extent.low - terrain.origin_W) / terrain.cell_m;
   const Eigen::Vector2d high = (extent.high - terrain.origin_W) / terrain.cell_m;
-  return {drawn_nodes(low.x(), high.x(), terrain.columns),
-          drawn_nodes(low.y(), high.y(), terrain.rows)};
+  constexpr double kMostStep = 1e6;
+  const int step = static_cast<int>(std::clamp(spacing_m / terrain.cell_m, 1.0, kMostStep));
+  return {drawn_nodes(low.x(), high.x(), terrain.columns, step),
+          drawn_nodes(low.y(), high.y(), terrain.rows, step)};
 }
 
 Point node_D(const Heightfield& terrain, const Relief& relief, int column, int row) {
@@ -166,8 +169,8 @@ Mesh mesh_of(const Heightfield& terrain, const Relief& relief, const Nodes& node
 }  // namespace
 
 Mesh relief_mesh(const Heightfield& terrain, const Relief& relief, const Extent& extent,
-                 Rgba colour) {
-  return mesh_of(terrain, relief, nodes_inside(terrain, extent), colour);
+                 Rgba colour, double spacing_m) {
+  return mesh_of(terrain, relief, nodes_inside(terrain, extent, spacing_m), colour);
 }
 
 Mesh graded_relief_mesh(const Heightfield& terrain, const Relief& relief, const Extent& extent,

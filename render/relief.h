@@ -49,11 +49,12 @@ std::vector<Eigen::Vector3d> draped(const Heightfield& terrain, const Relief& re
                                     const std::vector<Eigen::Vector2d>& line, bool closed,
                                     double spacing_m, double lift_m);
 
-// The terrain's surface inside the extent, in D, with at most kMaxNodes each way (nodes are left
-// out evenly beyond that).
+// The terrain's surface inside the extent, in D, with at most kMaxNodes each way and, where the
+// terrain is much finer than `spacing_m`, nodes about that far apart (the others are left out
+// evenly).
 inline constexpr int kMaxNodes = 1000;
 Mesh relief_mesh(const Heightfield& terrain, const Relief& relief, const Extent& extent,
-                 Rgba colour);
+                 Rgba colour, double spacing_m = 0.0);
 
 // The same with every node near the centre and ever fewer with distance, as a camera near the
 // centre sees them.
