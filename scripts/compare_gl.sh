@@ -6,7 +6,7 @@ run=$(realpath "${1:?usage: compare_gl.sh DIR}")
 cd "$(dirname "$0")/.."
 
 for gl in OSMESA EGL; do
-  cmake -G Ninja -B "build-$gl" -DCMAKE_BUILD_TYPE=Release -DHEADLAND_TESTS=OFF -DHEADLAND_GL=$gl >/dev/null
+  cmake --preset release -B "build-$gl" -DHEADLAND_TESTS=OFF -DHEADLAND_GL=$gl >/dev/null
   cmake --build "build-$gl" --target headland >/dev/null
 done
 pictures=$(mktemp -d)
