@@ -24,8 +24,8 @@ struct UrdfText {
   UrdfLines lines;
 };
 
-// Throws InputError for a file that cannot be read, malformed XML (with its line) and what urdfdom
-// refuses (in its words).
+// Throws InputError for a file that cannot be read, malformed XML (with its line), elements nested
+// deeper than 256 levels, more than 2000 links and what urdfdom refuses (in its words).
 UrdfText read_urdf(const std::filesystem::path& file);
 
 }  // namespace headland

@@ -2,6 +2,7 @@
 #include "vehicle_models/robot_file.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include "tests/vehicle_models/changed_vehicle.h"
 
@@ -127,6 +128,43 @@ TEST(RobotFile, IgnoresWhatSimulatorsAddToRobotDescriptions) {
                     "<gazebo reference=\"base_link\"><mu1>0.9</mu1></gazebo>"
                     "<transmission name=\"t\"><type>simple</type></transmission></robot>"),
             "");
+}
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+// Parsers that call themselves for each would run out of stack.
+TEST(RobotFile, RefusesElementsNestedTooDeep) {
+  EXPECT_THAT(
+      refusal("</robot>", repeated("<a b='>'>", 60000) + repeated("</a>", 60000) + "</robot>"),
+      AllOf(HasSubstr("vehicle.urdf: line "), HasSubstr("deeper than 256 levels")));
+  // As many beside each other, and in a comment, are only many.
+  EXPECT_EQ(refusal("</robot>", "<!--" + repeated("<a>", 1000) + "-->" +
+                                    repeated("<a b='/>'></a><a/>", 1000) + "</robot>"),
+            "");
+}
+
+TEST(RobotFile, RefusesAChainOfVeryManyLinks) {
+  std::string chain;
+  for (int i = 0; i < 15000; ++i) {
+    chain += "<link name=\"l" + std::to_string(i) + "\"/><joint name=\"j" + std::to_string(i) +
+             "\" type=\"fixed\"><parent link=\"" +
+             (i == 0 ? "base_link" : "l" + std::to_string(i - 1)) + "\"/><child link=\"l" +
+             std::to_string(i) + "\"/></joint>\n";
+  }
+  EXPECT_THAT(refusal("</robot>", chain + "</robot>"),
+              AllOf(HasSubstr("vehicle.urdf: line "), HasSubstr("more than 2000 links")));
+}
+
+TEST(RobotFile, RefusesAPipeWithoutWaitingForIt) {
+  const ChangedVehicle vehicle("vehicle.urdf", "<robot", "<robot");
+  const std::filesystem::path file = std::filesystem::path(vehicle.folder()) / "vehicle.urdf";
+  std::filesystem::remove(file);
+  ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+  EXPECT_THAT(load_message(vehicle.folder()), HasSubstr("is a pipe"));
 }
 
 }  // namespace
