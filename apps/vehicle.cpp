@@ -7,6 +7,7 @@
 
 #include "apps/commands.h"
 #include "apps/summary.h"
+#include "apps/terminal_text.h"
 #include "evaluate/atomic_file.h"
 #include "render/gnuplot.h"
 #include "render/vehicle_charts.h"
@@ -170,10 +171,19 @@ void require_extension(const char* option, const std::filesystem::path& file,
                    fmt::format("a file name that ends in {}", fmt::join(known, " or ")));
 }
 
+// Files that need not exist yet.
+bool same_place(const std::filesystem::path& a, const std::filesystem::path& b) {
+  const auto place = [](const std::filesystem::path& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
+  };
+  return place(a) == place(b);
+}
+
 int check(const CheckOptions& options) {
   if (!options.picture.empty()) require_extension("-o", options.picture, {".png"});
   if (!options.charts.empty()) require_extension("--charts", options.charts, {".svg", ".png"});
-  if (!options.charts.empty() && options.charts == options.picture) {
+  if (!options.charts.empty() && !options.picture.empty() &&
+      same_place(options.charts, options.picture)) {
     throw InputError("--charts", "", options.charts, "another file than the picture's");
   }
   const Soil& soil = soil_named(options.soil, "--soil", "");
@@ -207,13 +217,13 @@ int check(const CheckOptions& options) {
     fmt::print("{}\n", json_text(json, 2));
     return kExitRan;
   }
-  fmt::print("{}: {}\n", vehicle.name, vehicle.description);
+  fmt::print("{}: {}\n", terminal_text(vehicle.name), terminal_text(vehicle.description));
   for (const Figure& figure : figures.lines) {
-    if (!figure.label.empty()) fmt::print("  {:<26}{}\n", figure.label, figure.text);
+    if (!figure.label.empty()) fmt::print("  {:<26}{}\n", figure.label, terminal_text(figure.text));
   }
-  for (const std::string& note : notes) fmt::print("note: {}\n", note);
-  if (!options.picture.empty()) fmt::print("picture: {}\n", options.picture);
-  if (!options.charts.empty()) fmt::print("charts: {}\n", options.charts);
+  for (const std::string& note : notes) fmt::print("note: {}\n", terminal_text(note));
+  if (!options.picture.empty()) fmt::print("picture: {}\n", terminal_text(options.picture));
+  if (!options.charts.empty()) fmt::print("charts: {}\n", terminal_text(options.charts));
   return kExitRan;
 }
 

@@ -91,6 +91,26 @@ TEST_F(VehicleCommand, TakesAFolderWithABrokenMeshAsAPlainBoxAndSaysSo) {
   EXPECT_THAT(missing.out, HasSubstr("no such file; a plain box is drawn"));
 }
 
+TEST_F(VehicleCommand, ShowsNoControlCharactersOfAVehicle) {
+  std::filesystem::copy(kVehicles / "transplanter", folder_ / "mine",
+                        std::filesystem::copy_options::recursive);
+  std::string text = text_of(folder_ / "mine/drive.yaml");
+  const std::size_t at = text.find("description:");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, text.find('\n', at) - at, "description: \"red \\e[31m\"");
+  write("mine/drive.yaml", text);
+  const CommandResult result = headland("vehicle check mine");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("\\x1B[31m"), Not(HasSubstr("\x1B"))));
+}
+
+TEST_F(VehicleCommand, WritesPictureAndChartsToTwoFiles) {
+  const CommandResult result = headland("vehicle check transplanter -o a.png --charts ./a.png");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("another file than the picture's"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.png"));
+}
+
 struct BadCall {
   std::string name;
   std::string arguments;
