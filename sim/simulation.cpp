@@ -6,6 +6,7 @@
 
 #include "sim/incidents.h"
 #include "sim/recorder.h"
+#include "sim/stability.h"
 
 namespace headland {
 namespace {
@@ -60,6 +61,7 @@ void make_room(const SimulationOptions& options, const Route& route, double time
 
 RunRecord simulate(const SimulationSetup& setup) {
   const SimulationOptions& options = setup.options;
+  require_stable(setup.vehicle, options.rate_hz);
   const double dt_s = 1.0 / options.rate_hz;
   const Machine machine = make_machine(setup.vehicle, setup.terrain, setup.soil);
   const Route route = make_route(setup.path, setup.vehicle);

@@ -44,7 +44,7 @@ struct SimulationSetup {
 
 // Builds a fresh Bullet world, settles the vehicle at the path's first point and drives the path.
 // Same setup, same record, bit by bit, whatever else runs in other threads. Throws InputError for a
-// path without any motion.
+// path without any motion and for a vehicle that is unstable at the rate (stability.h).
 RunRecord simulate(const SimulationSetup& setup);
 
 }  // namespace headland
