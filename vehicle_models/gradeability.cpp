@@ -66,7 +66,9 @@ double surplus_n(const Vehicle& vehicle, const Soil& soil, double grade) {
                                              : -rolling_resistance(tractions[i]));
   }
   const double trailed_n = (weight_n - carried_n) * std::cos(slope_rad);
-  return force_n - trailed_n * rolling_resistance(tractions[1]);
+  const auto& trailing = vehicle.implement.trailing;
+  const double own = trailing ? trailing->rolling_resistance : 0.0;  // of the implement's tyres
+  return force_n - trailed_n * (own > 0.0 ? own : rolling_resistance(tractions[1]));
 }
 
 }  // namespace

@@ -132,6 +132,13 @@ void check_steering(const Vehicle& vehicle, const std::string& source) {
     spare("max_yaw_rate_deg_per_s", steering.max_yaw_rate_rad_per_s, "skid");
     spare("turning_radius_m", steering.turning_radius_m, "skid");
   }
+  const double radius_m = min_turning_radius_m(vehicle);
+  if (!(radius_m <= kMaxTurningRadius_m)) {
+    refuse(
+        source, "steering limits [deg]", kDegreesPerRadian * steering.max_angle_rad,
+        fmt::format("turns no tighter than {:.3g} m; at most {:g} m, or no field has room to turn",
+                    radius_m, kMaxTurningRadius_m));
+  }
 }
 
 void check_trailing(const Vehicle& vehicle, const std::string& source) {

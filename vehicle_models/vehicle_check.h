@@ -18,6 +18,8 @@ inline constexpr double kParkingGrade = 0.20;
 // Share of the weight that the front axle must carry to steer, at rest.
 inline constexpr double kMinFrontLoadShare = 0.10;
 
+inline constexpr double kMaxTurningRadius_m = 100.0;
+
 // Largest sag of a tyre under the static load, over its radius.
 inline constexpr double kMaxStaticDeflection = 0.2;
 

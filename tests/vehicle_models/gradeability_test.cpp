@@ -92,5 +92,16 @@ TEST(Gradeability, EndsWhereTheFrontWheelsLiftAndIsNoneWithoutPull) {
               std::tan(nose_up_stability_angle_rad(vehicle)), 1e-6);
 }
 
+// On the papers' ground soil and implement may name the same resistance.
+TEST(Gradeability, RollsATrailedImplementByItsOwnResistance) {
+  const auto climbs = [](double own) {
+    Vehicle vehicle = load_vehicle("utility_tractor_trailed");
+    vehicle.implement.trailing->rolling_resistance = own;
+    return gradeability(vehicle, papers_ground(0.6));
+  };
+  EXPECT_NEAR(climbs(kRolling), climbs(0.0), kClimbExact);
+  EXPECT_LT(climbs(2.0 * kRolling), climbs(kRolling) - 1e-3);
+}
+
 }  // namespace
 }  // namespace headland

@@ -47,6 +47,15 @@ TEST(VehicleCheck, RefusesACentreOfMassOutsideTheWheelbaseOrTheHull) {
   EXPECT_THAT(refusal([](Vehicle& v) { v.body.com_B.z() = 1.8; }), HasSubstr("z below 1.75 m"));
 }
 
+// Measuring and planning lay circles of this radius.
+TEST(VehicleCheck, RefusesSteeringThatHardlyTurns) {
+  for (const double angle_rad : {1e-12, 0.01}) {
+    EXPECT_THAT(refusal([&](Vehicle& v) { v.steering.max_angle_rad = angle_rad; }),
+                AllOf(HasSubstr("steering limits [deg]"), HasSubstr("at most 100 m")));
+  }
+  EXPECT_EQ(refusal([](Vehicle& v) { v.steering.max_angle_rad = 0.02; }), "");
+}
+
 TEST(VehicleCheck, RefusesAHullThatDoesNotFitTogether) {
   EXPECT_THAT(refusal([](Vehicle& v) { v.body.ground_clearance_m = 1.8; }),
               AllOf(HasSubstr("ground clearance [m]: '1.8'"), HasSubstr("1.75 m")));
