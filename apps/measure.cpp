@@ -50,7 +50,8 @@ void check_numbers(const MeasureOptions& options) {
 }
 
 std::string with_interval(const Estimate& estimate, double scale, int decimals) {
-  return fmt::format("{:.{}f} ±{:.{}f}", scale * estimate.mean, decimals, scale * estimate.ci95,
+  if (!estimate.ci95) return fmt::format("{:.{}f}", scale * estimate.mean, decimals);
+  return fmt::format("{:.{}f} ±{:.{}f}", scale * estimate.mean, decimals, scale * *estimate.ci95,
                      decimals);
 }
 

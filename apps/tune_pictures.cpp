@@ -48,7 +48,8 @@ void add_saving_chart(const Tuning& tuning, const TuneResult& result,
   for (const MethodFigures& figures : result.figures) {
     const Saving* saving = energy_saving(figures, methods::kRows);
     if (saving == nullptr || saving->blocks == 0) continue;
-    bars.push_back({figures.method, 100.0 * saving->ratio.mean, 100.0 * saving->ratio.ci95});
+    bars.push_back(
+        {figures.method, 100.0 * saving->ratio.mean, 100.0 * saving->ratio.ci95.value_or(0.0)});
   }
   if (bars.empty()) return;
   add_chart("savings",

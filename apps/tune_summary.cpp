@@ -64,7 +64,7 @@ std::string saving_text(const MethodFigures& figures, std::string_view reference
   const Saving* saving = energy_saving(figures, reference);
   if (saving == nullptr || saving->blocks == 0) return "";
   return fmt::format("{:+.1f} ±{:.1f} p {:.2g}", 100.0 * saving->ratio.mean,
-                     100.0 * saving->ratio.ci95, saving->test.p);
+                     100.0 * saving->ratio.ci95.value_or(0.0), saving->test.p);
 }
 
 std::string methods_table(const TuneResult& result) {

@@ -77,7 +77,8 @@ void emit_cost(YAML::Emitter& out, const MeasuredCost& cost) {
   for (const EstimateKey& estimate : kEstimates) {
     out << YAML::Key << estimate.key << YAML::Value << YAML::Flow << YAML::BeginMap;
     emit_value(out, "mean", shown_cost((cost.*estimate.value).mean));
-    emit_value(out, "ci95", shown_cost((cost.*estimate.value).ci95));
+    const auto& ci95 = (cost.*estimate.value).ci95;
+    if (ci95) emit_value(out, "ci95", shown_cost(*ci95));
     out << YAML::EndMap;
   }
   out << YAML::Key << "causes" << YAML::Value << YAML::BeginMap;
@@ -137,7 +138,7 @@ MeasuredCost read_cost(const YamlSection& section) {
     if (!pair) refuse_key(section, estimate.key, "", "a mean and its ci95 are needed here");
     refuse_unknown_keys(*pair, {"mean", "ci95"});
     (cost.*estimate.value).mean = needed_number(*pair, "mean", kAnyCost);
-    (cost.*estimate.value).ci95 = needed_number(*pair, "ci95", kAnyCost);
+    (cost.*estimate.value).ci95 = read_number(*pair, "ci95", kAnyCost);
   }
   const auto causes = read_section(section, "causes");
   if (!causes) refuse_key(section, "causes", "", "the energy by cause is needed here");
@@ -209,8 +210,8 @@ std::string cost_table_csv(const CostTable& table) {
                         m.speed_mps, m.slope_along, m.slope_across, m.row_spacing_m,
                         outcome_name(cost.outcome));
     const bool known = cost.outcome == Outcome::kFinished;
-    const auto cell = [&](double value) {
-      text += known ? fmt::format(",{:.6g}", value) : std::string(",");
+    const auto cell = [&](std::optional<double> value) {
+      text += known && value ? fmt::format(",{:.6g}", *value) : std::string(",");
     };
     for (const EstimateKey& column : kEstimates) {
       cell((cost.*column.value).mean);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,11 @@
 
 namespace headland {
 
-// Mean over the repeats with the half width of its 95 % confidence interval (Student's t); 0 when
-// there is one repeat only.
+// Mean over the repeats with the half width of its 95 % confidence interval (Student's t), which
+// one repeat alone does not have.
 struct Estimate {
   double mean = 0.0;
-  double ci95 = 0.0;
+  std::optional<double> ci95;
 };
 Estimate estimate_of(const std::vector<double>& values);
 

@@ -7,7 +7,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cstddef>
 #include <mutex>
 #include <optional>
 
@@ -23,7 +25,8 @@ namespace {
 
 constexpr double kAround_m = 15.0;  // ground beyond the courses
 constexpr double kFinestCell_m = 0.25;
-constexpr double kRecord_hz = 1.0;  // nothing but the totals of segments is used
+constexpr std::size_t kMostNodes = 100'000'000;  // of the ground: 0.8 GB, once more a job
+constexpr double kRecord_hz = 1.0;               // nothing but the totals of segments is used
 
 // What one repeat took in its window.
 struct Window {
@@ -39,7 +42,7 @@ struct Window {
 
 struct Ground {
   Field field;
-  std::vector<Heightfield> relief;  // level but for the micro-relief, one a repeat
+  Heightfield level;
 };
 
 Ground make_ground(const std::vector<Course>& courses, const MeasureOptions& options) {
@@ -54,18 +57,20 @@ Ground make_ground(const std::vector<Course>& courses, const MeasureOptions& opt
   ground.field.name = "measured manoeuvres";
   ground.field.boundary = {
       box.min(), {box.max().x(), box.min().y()}, box.max(), {box.min().x(), box.max().y()}};
-  Heightfield level;
+  Heightfield& level = ground.level;
   level.cell_m = std::min(kFinestCell_m, options.micro_relief.correlation_m / kCellsPerCorrelation);
   level.origin_W = box.min().array() - level.cell_m;
   level.columns = static_cast<int>(std::ceil(box.sizes().x() / level.cell_m)) + 3;
   level.rows = static_cast<int>(std::ceil(box.sizes().y() / level.cell_m)) + 3;
-  level.height_m.assign(
-      static_cast<std::size_t>(level.columns) * static_cast<std::size_t>(level.rows), 0.0);
-  for (int repeat = 0; repeat < options.repeats; ++repeat) {
-    Heightfield& relief = ground.relief.emplace_back(level);
-    add_micro_relief(options.micro_relief, options.seed + static_cast<std::uint64_t>(repeat),
-                     relief);
+  const auto nodes = static_cast<std::size_t>(level.columns) * static_cast<std::size_t>(level.rows);
+  if (nodes > kMostNodes) {
+    throw InputError(
+        "--relief-length", "", fmt::format("{:g}", options.micro_relief.correlation_m),
+        fmt::format("the relief of these manoeuvres would have {:.0f} million heights, "
+                    "at most {:.0f}; a greater length, or smaller --row-spacing",
+                    1e-6 * static_cast<double>(nodes), 1e-6 * kMostNodes));
   }
+  level.height_m.assign(nodes, 0.0);
   return ground;
 }
 
@@ -91,15 +96,14 @@ Vehicle at_speed(Vehicle vehicle, const Manoeuvre& manoeuvre) {
 }
 
 Window drive_window(const Manoeuvre& manoeuvre, const Course& course, const Vehicle& given,
-                    const SoilMap& soil, const Ground& ground, std::size_t repeat, double rate_hz) {
+                    const SoilMap& soil, const Field& field, const Heightfield& relief,
+                    double rate_hz) {
   const Vehicle vehicle = at_speed(given, manoeuvre);
-  const Heightfield terrain =
-      tilted(ground.relief[repeat], manoeuvre.slope_along, manoeuvre.slope_across);
+  const Heightfield terrain = tilted(relief, manoeuvre.slope_along, manoeuvre.slope_across);
   SimulationOptions options;
   options.rate_hz = rate_hz;
   options.record_hz = kRecord_hz;
-  const RunRecord run =
-      simulate({ground.field, terrain, soil, vehicle, course.path, options, nullptr});
+  const RunRecord run = simulate({field, terrain, soil, vehicle, course.path, options, nullptr});
   Window window;
   window.outcome = run.outcome;
   window.outcome_detail = run.outcome_detail;
@@ -142,23 +146,26 @@ struct Baselines {
   const Repeats* raised = nullptr;
 };
 
+bool is_baseline(const Manoeuvre& m, const Vehicle& vehicle) {
+  return m.kind == ManoeuvreKind::kStraight && m.speed_mps == vehicle.driver.work_speed_mps &&
+         m.slope_along == 0.0 && m.slope_across == 0.0;
+}
+
 Baselines find_baselines(const std::vector<Manoeuvre>& list, const std::vector<Repeats>& driven,
-                         const Vehicle& vehicle, const Soil& soil) {
-  const double work_speed_mps = vehicle.driver.work_speed_mps;
+                         const Vehicle& vehicle) {
   Baselines found;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const Manoeuvre& m = list[i];
-    if (m.kind != ManoeuvreKind::kStraight || m.speed_mps != work_speed_mps) continue;
-    if (m.slope_along != 0.0 || m.slope_across != 0.0) continue;
-    (m.implement_down ? found.down : found.raised) = &driven[i];
-    for (const Window& window : driven[i]) {
-      if (window.outcome == Outcome::kFinished) continue;
-      throw InputError(vehicle.name, "", fmt::format("soil {}", soil.name),
-                       fmt::format("ground on which the vehicle can work on the flat; {}",
-                                   window.outcome_detail));
-    }
+    if (!is_baseline(list[i], vehicle)) continue;
+    (list[i].implement_down ? found.down : found.raised) = &driven[i];
   }
   return found;
+}
+
+void require_finished(const Window& baseline, const Vehicle& vehicle, const Soil& soil) {
+  if (baseline.outcome == Outcome::kFinished) return;
+  throw InputError(
+      vehicle.name, "", fmt::format("soil {}", soil.name),
+      fmt::format("ground on which the vehicle can work on the flat; {}", baseline.outcome_detail));
 }
 
 // What the manoeuvre itself took: the window less steady driving over its straight parts.
@@ -225,12 +232,26 @@ void add_formula(const FormulaVehicle& formula, const CostTable& table, Measured
   }
 }
 
+// The baselines, all else: places in `list`.
+std::array<std::vector<std::size_t>, 2> in_order(const std::vector<Manoeuvre>& list,
+                                                 const Vehicle& vehicle) {
+  std::array<std::vector<std::size_t>, 2> order;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    order[is_baseline(list[i], vehicle) ? 0 : 1].push_back(i);
+  }
+  return order;
+}
+
+// One repeat after the other: their reliefs together may not fit into memory. Baselines first:
+// without them nothing else counts.
 std::optional<std::vector<Repeats>> drive_all(const std::vector<Manoeuvre>& list,
                                               const std::vector<Course>& courses,
-                                              const Vehicle& vehicle, const SoilMap& soil,
+                                              const Vehicle& vehicle, const Soil& soil,
                                               const MeasureOptions& options) {
   const Ground ground = make_ground(courses, options);
+  const SoilMap soil_map = uniform_soil(soil);
   const auto repeats = static_cast<std::size_t>(options.repeats);
+  const auto order = in_order(list, vehicle);
   std::vector<Repeats> driven(list.size(), Repeats(repeats));
   std::atomic<bool> stopped = false;
   std::mutex mutex;
@@ -240,20 +261,28 @@ std::optional<std::vector<Repeats>> drive_all(const std::vector<Manoeuvre>& list
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(options.jobs));
   tbb::task_arena arena(options.jobs);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, all, [&](std::size_t i) {
+  for (std::size_t repeat = 0; repeat < repeats; ++repeat) {
+    Heightfield relief = ground.level;
+    add_micro_relief(options.micro_relief, options.seed + repeat, relief);
+    const auto drive_one = [&](std::size_t m) {
       if (stopped) return;
-      const std::size_t m = i / repeats;
-      driven[m][i % repeats] =
-          drive_window(list[m], courses[m], vehicle, soil, ground, i % repeats, options.rate_hz);
+      driven[m][repeat] = drive_window(list[m], courses[m], vehicle, soil_map, ground.field, relief,
+                                       options.rate_hz);
       const std::scoped_lock lock(mutex);
       ++done;
       if (options.progress &&
           !options.progress(static_cast<double>(done) / static_cast<double>(all)))
         stopped = true;
-    });
-  });
-  if (stopped) return std::nullopt;
+    };
+    for (const std::vector<std::size_t>& places : order) {
+      arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, places.size(),
+                          [&](std::size_t i) { drive_one(places[i]); });
+      });
+      if (stopped) return std::nullopt;
+      for (const std::size_t m : order[0]) require_finished(driven[m][repeat], vehicle, soil);
+    }
+  }
   return driven;
 }
 
@@ -277,10 +306,10 @@ CostTable measure_costs(const Vehicle& vehicle, const Soil& soil, const MeasureO
   std::vector<Course> courses;
   courses.reserve(list.size());
   for (const Manoeuvre& manoeuvre : list) courses.push_back(course_of(manoeuvre, vehicle));
-  const auto driven = drive_all(list, courses, vehicle, uniform_soil(soil), options);
+  const auto driven = drive_all(list, courses, vehicle, soil, options);
   if (!driven) return table;
 
-  const Baselines steady = find_baselines(list, *driven, vehicle, soil);
+  const Baselines steady = find_baselines(list, *driven, vehicle);
   Window raised;
   for (const Window& window : *steady.raised) add_times(raised, window, 1.0);
   table.formula_turn_power_w = options.formula_turn_power_w > 0.0

@@ -49,7 +49,7 @@ Json form_json(const FormReport& report) {
 
 Json saving_json(const Saving& saving) {
   return {{"quantity", saving.quantity},     {"blocks", saving.blocks},
-          {"mean_ratio", saving.ratio.mean}, {"ci95_ratio", saving.ratio.ci95},
+          {"mean_ratio", saving.ratio.mean}, {"ci95_ratio", saving.ratio.ci95.value_or(0.0)},
           {"wins", saving.test.wins},        {"losses", saving.test.losses},
           {"ties", saving.test.ties},        {"p", saving.test.p},
           {"least_p", saving.test.least_p}};

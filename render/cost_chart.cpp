@@ -58,8 +58,9 @@ std::string slope_panel(const CostTable& table) {
     for (const MeasuredCost& cost : table.costs) {
       if (!drawn_along(cost) || cost.manoeuvre.speed_mps != speed_mps) continue;
       const double per_m = 1.0 / cost.distance_m.mean;
-      blocks += fmt::format("{:g} {:g} {:g}\n", 100.0 * cost.manoeuvre.slope_along,
-                            wh(cost.energy_j.mean) * per_m, wh(cost.energy_j.ci95) * per_m);
+      blocks +=
+          fmt::format("{:g} {:g} {:g}\n", 100.0 * cost.manoeuvre.slope_along,
+                      wh(cost.energy_j.mean) * per_m, wh(cost.energy_j.ci95.value_or(0.0)) * per_m);
     }
     blocks += "EOD\n";
     plots += fmt::format(

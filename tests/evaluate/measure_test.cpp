@@ -156,6 +156,7 @@ TEST_F(Measure, FormulaIsThePapersForTheMassAndSlope) {
 TEST_F(Measure, ReadsWhatItWrites) {
   const std::filesystem::path file = testing::TempDir() + "costs_round_trip.yaml";
   std::ofstream(file) << cost_table_yaml(*table_);
+  EXPECT_EQ(cost_table_yaml(*table_).find("ci95"), std::string::npos);  // of one repeat
   const CostTable read = read_cost_table(file);
   EXPECT_EQ(cost_table_yaml(read), cost_table_yaml(*table_));
   EXPECT_EQ(read.costs.size(), table_->costs.size());
@@ -199,6 +200,27 @@ TEST(MeasureCosts, SaysWhatCannotBeDriven) {
   EXPECT_THROW(measure_costs(load_vehicle("transplanter"), ice, options), InputError);
 }
 
+TEST(MeasureCosts, DrivesOnTheFlatFirst) {
+  MeasureOptions options = quick(3);
+  int drives = 0;
+  options.progress = [&drives](double) { return ++drives > 0; };
+  const Soil ice{"ice", ConstantGround{0.02, 0.05, 10.0}, 0.09, ""};
+  EXPECT_THROW(measure_costs(load_vehicle("transplanter"), ice, options), InputError);
+  EXPECT_EQ(drives, 2);  // implement down and raised, of the first repeat
+}
+
+TEST(MeasureCosts, RefusesReliefBeyondMemoryByItsOption) {
+  MeasureOptions options = quick();
+  options.ranges.spacings_m = {100.0};
+  options.micro_relief = {0.01, 0.005};
+  try {
+    measure_costs(load_vehicle("transplanter"), kTextbookGround, options);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("--relief-length"));
+  }
+}
+
 TEST(MeasureCosts, PivotsASkidSteeredVehicle) {
   const CostTable table = measure_costs(load_vehicle("skid_steer_robot"), kTextbookGround, quick());
   const MeasuredCost& pivot = cost_with(table, ManoeuvreKind::kPivotTurn, true, 0.0, 2.0);
@@ -221,8 +243,8 @@ TEST(MeasureCosts, EndsWhenAsked) {
 TEST(Estimate, IsMeanAndStudentsInterval) {
   const Estimate estimate = estimate_of({1.0, 2.0, 6.0});
   EXPECT_NEAR(estimate.mean, 3.0, 1e-12);
-  EXPECT_NEAR(estimate.ci95, 4.30265 * std::sqrt(7.0) / std::sqrt(3.0), 1e-4);
-  EXPECT_EQ(estimate_of({5.0}).ci95, 0.0);
+  EXPECT_NEAR(estimate.ci95.value_or(0.0), 4.30265 * std::sqrt(7.0) / std::sqrt(3.0), 1e-4);
+  EXPECT_FALSE(estimate_of({5.0}).ci95.has_value());
 }
 
 }  // namespace
