@@ -78,7 +78,7 @@ bool is_allowed(const Descent& descent, const OrderChange& change) {
 }
 
 bool make_if_cheaper(Descent& descent, const OrderChange& change) {
-  if (!is_allowed(descent, change)) return false;
+  if (is_spent(descent) || !is_allowed(descent, change)) return false;
   const double worth = cost_change(descent, change, -kNoChange);
   if (worth >= -kNoChange) return false;
   make(descent, change, worth);
@@ -144,15 +144,20 @@ bool improve_at(Descent& descent, int node) {
 
 Descent descent_for(const OrderTask& task) {
   const GridGraph& graph = task.problem.graph;
-  return {task.cost,
-          free_places(task.problem),
-          nodes_within(graph, task.cost.lengths_only ? kNearStepsLength : kNearStepsTurns),
-          {},
-          std::vector<int>(graph.cells.size()),
-          {},
-          std::vector<char>(graph.cells.size(), 0),
-          {}};
+  Descent descent{task.cost,
+                  free_places(task.problem),
+                  nodes_within(graph, task.cost.lengths_only ? kNearStepsLength : kNearStepsTurns),
+                  {},
+                  std::vector<int>(graph.cells.size()),
+                  {},
+                  std::vector<char>(graph.cells.size(), 0),
+                  {}};
+  const std::int64_t limit = task.search.stop.evaluations;
+  if (limit > 0) descent.most_evaluations = limit;
+  return descent;
 }
+
+bool is_spent(const Descent& descent) { return descent.evaluations >= descent.most_evaluations; }
 
 void set_order(Descent& descent, std::vector<int> order) {
   descent.order = std::move(order);
@@ -163,9 +168,9 @@ void set_order(Descent& descent, std::vector<int> order) {
 }
 
 void descend(Descent& descent, PlanSearch& search) {
-  int looked = 0;
   const auto ends = [&] {
-    if (++looked % kLooksPerCheck != 0) return false;
+    if (!is_spent(descent) && ++descent.looked < kLooksPerCheck) return false;
+    descent.looked = 0;
     search.evaluations = descent.evaluations;
     return !goes_on(search);
   };

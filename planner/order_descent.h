@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "planner/order_task.h"
@@ -35,10 +36,15 @@ struct Descent {
   std::vector<OrderChange> done;  // since it was last emptied
   double change = 0.0;            // of the cost by them
   std::int64_t evaluations = 0;
+  std::int64_t most_evaluations = std::numeric_limits<std::int64_t>::max();
+  int looked = 0;  // since it was last asked whether to go on
 };
 
-// Without an order yet.
+// Without an order yet; looks at no more changes than the task's limit of evaluations lets it.
 Descent descent_for(const OrderTask& task);
+
+// Whether the limit of evaluations is reached.
+bool is_spent(const Descent& descent);
 
 // Takes another order, to be looked at everywhere.
 void set_order(Descent& descent, std::vector<int> order);

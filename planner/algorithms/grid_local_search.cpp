@@ -59,7 +59,7 @@ std::vector<int> first_order(OrderTask& task) {
 bool improve_for_an_iteration(Descent& descent, OrderTask& task, int kick_cells, double& cost) {
   const double before = cost;
   for (int kicks = 0; kicks < task.problem.graph.size(); ++kicks) {
-    if (kicks % kKicksPerCheck == 0 && !goes_on(task.search)) break;
+    if ((kicks % kKicksPerCheck == 0 || is_spent(descent)) && !goes_on(task.search)) break;
     cost += kick_and_descend(descent, kick_cells, task);
     task.search.evaluations = descent.evaluations;
     note_cost(task.search, cost);
