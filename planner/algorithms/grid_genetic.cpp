@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "planner/genetic_operators.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -15,9 +16,6 @@ namespace {
 
 // Shares of m in mutation: at most a tenth of the cells, which keeps most of a parent.
 constexpr int kCellsPerMutation = 10;
-
-// Repeats, turns and U-turns; also their weights.
-using Three = std::array<double, 3>;
 
 struct Chromosome {
   std::vector<int> order;  // X
@@ -59,17 +57,6 @@ void measure(Evolution& evolution, Chromosome& one) {
   ++evolution.search.evaluations;
 }
 
-// Eqs (2) to (7): what is worse than the parents' mean weighs more.
-void adapt_weights(const Three& parents_mean, Chromosome& one) {
-  for (std::size_t i = 0; i < one.weights.size(); ++i) {
-    if (one.counted[i] > parents_mean[i]) {
-      one.weights[i] *= 1.0 + (one.counted[i] - parents_mean[i]) / one.counted[i];
-    }
-  }
-  const double sum = std::accumulate(one.weights.begin(), one.weights.end(), 0.0);
-  for (double& weight : one.weights) weight /= sum;
-}
-
 void set_fitness(const Evolution& evolution, Chromosome& one) {
   const double own_cost =
       std::inner_product(one.weights.begin(), one.weights.end(), one.counted.begin(), 0.0);
@@ -92,21 +79,6 @@ const Chromosome& drawn_by_roulette(const std::vector<Chromosome>& population,
   return at(population, draw_by_sums(random, sums));
 }
 
-// 2.2.4: `one` up to a random place, then what is missing as it follows in `other`.
-std::vector<int> crossed(const std::vector<int>& one, const std::vector<int>& other,
-                         SeededRandom& random) {
-  const int kept = 1 + draw_below(random, static_cast<int>(one.size()));
-  std::vector<int> child(one.begin(), one.begin() + kept);
-  std::vector<char> taken(one.size(), 0);
-  for (const int node : child) at(taken, node) = 1;
-  for (const int node : other) {
-    if (at(taken, node) == 0) child.push_back(node);
-  }
-  // The end of a closed tour is its start too.
-  if (child.size() < one.size()) child.push_back(one.back());
-  return child;
-}
-
 // 2.2.5.
 void mutate(const Evolution& evolution, std::vector<int>& order) {
   const FreePlaces places = free_places(evolution.problem);
@@ -127,7 +99,9 @@ Chromosome child_of(Evolution& evolution, const std::vector<Chromosome>& populat
   Chromosome child = drawn_by_roulette(population, sums, random);
   const std::vector<int> before = child.order;
   if (draw_unit(random) < evolution.crossover) {
-    child.order = crossed(child.order, drawn_by_roulette(population, sums, random).order, random);
+    const Chromosome& other = drawn_by_roulette(population, sums, random);
+    const int kept = 1 + draw_below(random, static_cast<int>(child.order.size()));
+    child.order = crossed(child.order, other.order, kept);
   }
   if (draw_unit(random) < evolution.mutation) mutate(evolution, child.order);
   if (child.order != before) measure(evolution, child);
@@ -146,7 +120,7 @@ std::vector<Chromosome> next_generation(Evolution& evolution,
   while (next.size() < population.size()) {
     stop_if(evolution.search.cancelled);
     next.push_back(child_of(evolution, population, sums));
-    if (evolution.adaptive) adapt_weights(mean, next.back());
+    if (evolution.adaptive) adapt_weights(mean, next.back().counted, next.back().weights);
     set_fitness(evolution, next.back());
   }
   std::ranges::stable_sort(next, std::ranges::greater{}, &Chromosome::fitness);

@@ -24,11 +24,12 @@ void check_grid_genetic(const Parameters& parameters, const std::string& source,
 //   inherited from the first parent; plans are compared by the request's weights either way.
 // Readings of what the paper leaves open or contradicts: mutation exchanges m random pairs, as its
 // text says and its Figure 10 does not, m drawn from 1 to a tenth of the cells, or is 1 with
-// `mutation_points` single (the paper's ablation, 3.2); crossover follows the rule, which its
-// printed example does not; adapted weights start at the request's. Elites keep their weights.
-// Given start and end keep their places. As described it does not reach the results printed.
-// Throws InputError as grid_problem and distance_table, for more elites than individuals;
-// Cancelled.
+// `mutation_points` single (the paper's ablation, 3.2), as it always is in plan_grid_ga; crossover
+// follows the rule, which its printed example does not; adapted weights start at the request's.
+// Elites keep their weights. Counts, Eqs (11) to (15), are count_path's. The second stop rule, a
+// fitness less than 0.001 from a target, is left out: no target is given. Given start and end keep
+// their places. As described it does not reach the results printed. Throws InputError as
+// grid_problem and distance_table, for more elites than individuals; Cancelled.
 GridPlan plan_grid_iga(const GridPlanRequest& request);
 
 // 3.3: one chromosome, driven as it is: moves between cells that are no neighbours are `jumps` of
