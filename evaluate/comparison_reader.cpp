@@ -164,7 +164,7 @@ GridCost read_grid_cost(const YamlSection& top) {
     }
   }
   if (!measured) {
-    check_grid_cost(cost, fmt::format("{}: {}", top.source, place_of_itself(*section)));
+    check_grid_cost(cost, top.source, place_of_itself(*section));
   }
   return cost;
 }

@@ -20,19 +20,21 @@ constexpr double kSecondsPerHour = 3600.0;
 
 using NamedValue = std::pair<std::string_view, double>;
 
-void check_weights(const std::array<NamedValue, 3>& weights, const std::string& source) {
+void check_weights(const std::array<NamedValue, 3>& weights, const std::string& source,
+                   const std::string& where) {
   double sum = 0.0;
   for (const auto& [name, value] : weights) {
     if (!(value >= 0.0) || !std::isfinite(value)) {
-      throw InputError(source, std::string(name), fmt::format("{}", value),
+      throw InputError(source, key_path(where, std::string(name)), fmt::format("{}", value),
                        "a weight, a finite number from 0 up");
     }
     sum += value;
   }
   if (!(sum > 0.0)) {
-    throw InputError(source, std::string(weights.front().first), "0",
-                     fmt::format("more than 0, or {} or {} is: all are zero", weights[1].first,
-                                 weights[2].first));
+    throw InputError(source, key_path(where, std::string(weights.front().first)), "0",
+                     fmt::format("more than 0, or {} or {} is: all are zero",
+                                 key_path(where, std::string(weights[1].first)),
+                                 key_path(where, std::string(weights[2].first))));
   }
 }
 
@@ -106,20 +108,19 @@ GridWeights weights_of(const GridCost& cost, double cell_m) {
   return {prices.step, prices.turn, prices.u_turn};
 }
 
-void check_grid_cost(const GridCost& cost, const std::string& source) {
+void check_grid_cost(const GridCost& cost, const std::string& source, const std::string& where) {
   if (cost.objective == GridObjective::kMeasured && !cost.measured) {
-    throw InputError(source, "objective", "measured",
+    throw InputError(source, key_path(where, "objective"), "measured",
                      "a file with measured costs is needed for it (headland measure writes one)");
   }
   const TractorEnergy& tractor = cost.tractor;
-  check_weights({NamedValue{"weights.repeat", cost.weights.repeat},
-                 NamedValue{"weights.turn", cost.weights.turn},
-                 NamedValue{"weights.u_turn", cost.weights.u_turn}},
-                source);
+  check_weights({NamedValue{"repeat", cost.weights.repeat}, NamedValue{"turn", cost.weights.turn},
+                 NamedValue{"u_turn", cost.weights.u_turn}},
+                source, where);
   check_weights({NamedValue{"tractor.length_weight", tractor.length_weight},
                  NamedValue{"tractor.height_weight", tractor.height_weight},
                  NamedValue{"tractor.turn_weight", tractor.turn_weight}},
-                source);
+                source, where);
   for (const auto& [name, value] : {NamedValue{"tractor.mass_kg", tractor.mass_kg},
                                     NamedValue{"tractor.friction", tractor.friction},
                                     NamedValue{"tractor.gravity_m_s2", tractor.gravity_m_s2},
@@ -127,7 +128,8 @@ void check_grid_cost(const GridCost& cost, const std::string& source) {
                                     NamedValue{"tractor.voltage_v", tractor.voltage_v},
                                     NamedValue{"tractor.turn_current_a", tractor.turn_current_a}}) {
     if (value > 0.0 && std::isfinite(value)) continue;
-    throw InputError(source, std::string(name), fmt::format("{}", value), "a positive number");
+    throw InputError(source, key_path(where, std::string(name)), fmt::format("{}", value),
+                     "a positive number");
   }
 }
 

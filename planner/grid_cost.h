@@ -57,9 +57,9 @@ struct GridCost {
 // What a repeat, a turn and a U-turn weigh: as given, or their measured values.
 GridWeights weights_of(const GridCost& cost, double cell_m);
 
-// Throws InputError(source, ...) for weights that are negative, not finite or all zero, for
-// quantities of the tractor that are not positive, and for kMeasured without measured costs.
-void check_grid_cost(const GridCost& cost, const std::string& source);
+// Throws InputError(source, "where. ...") for weights that are negative, not finite or all zero,
+// for quantities of the tractor that are not positive, and for kMeasured without measured costs.
+void check_grid_cost(const GridCost& cost, const std::string& source, const std::string& where);
 
 // The same as shares: cost = constant + steps * step + level_m * level + climb_m * climb + turns *
 // turn + u_turns * u_turn + row_changes * row_change. Where the graph has step_wh their sum stands

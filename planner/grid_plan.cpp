@@ -32,7 +32,7 @@ double repeat_rate(const GridPlan& plan) {
 GridProblem grid_problem(const GridPlanRequest& request) {
   GridProblem problem;
   problem.graph = grid_graph(request.map, kGridPlanSource);
-  check_grid_cost(request.cost, kGridPlanSource);
+  check_grid_cost(request.cost, kGridPlanSource, "cost");
   if (request.cost.objective == GridObjective::kMeasured) {
     problem.graph.step_wh = step_prices(*request.cost.measured, problem.graph);
   }

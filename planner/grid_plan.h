@@ -40,7 +40,7 @@ struct GridPlan {
   StopReason stopped_by = StopReason::kIterations;
 };
 
-// The share of visits that were extra, Crr of Wang et al. 2025, Eq (11): repeats / free cells.
+// Extra visits / free cells, Crr of Wang et al. 2025, Eq (11).
 double repeat_rate(const GridPlan& plan);
 
 // What planners work on.

@@ -195,23 +195,23 @@ TEST(GridCostOf, IsThatOfThePapers) {
 
 TEST(GridCostOf, RefusesWeightsThatWeighNothing) {
   const auto said = [](const GridCost& cost) {
-    return headland::refusal([&] { check_grid_cost(cost, "spec.yaml"); });
+    return headland::refusal([&] { check_grid_cost(cost, "spec.yaml", "cost"); });
   };
   GridCost cost;
   EXPECT_EQ(said(cost), "accepted");
   cost.weights.turn = -0.1;
-  EXPECT_EQ(said(cost), "spec.yaml: weights.turn: '-0.1': a weight, a finite number from 0 up");
+  EXPECT_EQ(said(cost), "spec.yaml: cost.turn: '-0.1': a weight, a finite number from 0 up");
   cost.weights = {0.0, 0.0, 0.0};
   EXPECT_EQ(said(cost),
-            "spec.yaml: weights.repeat: '0': more than 0, or weights.turn or weights.u_turn is: "
+            "spec.yaml: cost.repeat: '0': more than 0, or cost.turn or cost.u_turn is: "
             "all are zero");
   cost = {};
   cost.tractor.turn_weight = std::nan("");
   EXPECT_EQ(said(cost),
-            "spec.yaml: tractor.turn_weight: 'nan': a weight, a finite number from 0 up");
+            "spec.yaml: cost.tractor.turn_weight: 'nan': a weight, a finite number from 0 up");
   cost = {};
   cost.tractor.turn_speed_m_s = 0.0;
-  EXPECT_EQ(said(cost), "spec.yaml: tractor.turn_speed_m_s: '0': a positive number");
+  EXPECT_EQ(said(cost), "spec.yaml: cost.tractor.turn_speed_m_s: '0': a positive number");
 }
 
 }  // namespace
