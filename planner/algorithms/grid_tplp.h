@@ -14,7 +14,8 @@ void check_grid_tplp(const Parameters& parameters, const std::string& source,
                      const std::string& where);
 
 // Wang et al. 2025 (10.20944/preprints202504.0101.v1), sections 4.1 to 4.3.
-// - Individuals are orders of all cells; their path is expanded(). They begin as greedy_order().
+// - Individuals are orders of all cells; their path is expanded(). They begin as greedy_order(),
+//   Eqs (7) to (9).
 // - Each iteration sorts best first. The best (POP1) is perturbed strongly (two cells change
 //   places), POP2 learns from the best, POP3 from random individuals, POP4 is perturbed weakly (a
 //   section is turned round); `share_2` to `share_4` are the sizes of the last three.
