@@ -109,13 +109,28 @@ TEST(GridDrivable, WorksAroundWhatIsBlockedWithoutTouchingIt) {
   EXPECT_GT(drive.added_passes, 0);
   // What the drive is to cover, the path must promise.
   EXPECT_LT(drive.unworked_ratio, 0.01);
+}
+
+// Without ground around the map to turn on, not every cell can be worked.
+TEST(GridDrivable, TellsWhatIsNotWorkedAndWhy) {
+  DrivenMap made = transplanter_case("field_A");
+  made.map = metre_map("......\n......\n......\n..##..\n......\n......\n",
+                       made.vehicle.implement.working_width_m);
+  made.field = field_of_grid(made.map, 0.0, "walled");
+  made.plan = plan_named("grid_boustrophedon", grid_request(made.map, "grid_boustrophedon"));
+  const GridDrive drive = make_grid_path(made.field, made.vehicle, made.map, made.plan, {});
+  // The hull comes to no corner as near as the implement would have to.
+  std::vector<GridCell> corners;
   double sum = 0.0;
   for (const UnworkedCell& cell : drive.unworked) {
-    EXPECT_TRUE(is_free(made.map, cell.cell));
+    corners.push_back(cell.cell);
     EXPECT_GT(cell.share, kUnworkedShare);
-    EXPECT_FALSE(cell.why.empty());
+    EXPECT_LT(cell.share, 0.1);
+    EXPECT_EQ(cell.why, "the hull comes too near to what is blocked for the implement to reach it");
     sum += cell.share;
   }
+  EXPECT_EQ(corners, (std::vector<GridCell>{{0, 0}, {5, 0}, {0, 5}, {5, 5}}));
+  EXPECT_GT(drive.unworked_ratio, 0.0);
   EXPECT_LE(sum, drive.unworked_ratio * free_cell_count(made.map) + 1e-9);
 }
 
