@@ -239,7 +239,11 @@ describe('a run', () => {
       const html = await readFile(report(), 'utf8');
       await page.setContent(html.replace(/<script[\s\S]*<\/script>/, ''));
       assert.match(await page.textContent('header'), /small field.*Verdict: FAIL/s);
-      assert.equal(await page.$$eval('figure img[alt]', (all) => all.length), 3);
+      const alts = await page.$$eval('figure img', (all) => all.map((image) => image.alt));
+      const closeUps = alts.filter((alt) => alt.includes('worked until then'));
+      assert.equal(alts.length - closeUps.length, 3);
+      assert.ok(closeUps.length >= 1 && closeUps.length <= 4, `${closeUps.length} close-ups`);
+      assert.ok(alts.every((alt) => alt.length > 10));
     }));
 });
 
