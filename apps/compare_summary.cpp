@@ -56,10 +56,16 @@ Row planner_row(const Comparison& comparison, const std::string& label,
   const ComparedFigure& cost = figure_named("cost");
   const auto spread = spread_of(cost, runs);
   if (!spread) return row;
-  row.push_back(number_text(cost, spread->mean));
-  row.push_back(spread->runs > 1 ? number_text(cost, spread->deviation) : "");
-  row.push_back(number_text(cost, spread->best));
-  row.push_back(number_text(cost, spread->worst));
+  // Plans with jumps cannot be driven: what they cost and how long they are compares with nothing.
+  const bool jumps = counts.with_jumps > 0;
+  if (jumps) {
+    row.insert(row.end(), 4, "-");
+  } else {
+    row.push_back(number_text(cost, spread->mean));
+    row.push_back(spread->runs > 1 ? number_text(cost, spread->deviation) : "");
+    row.push_back(number_text(cost, spread->best));
+    row.push_back(number_text(cost, spread->worst));
+  }
   if (is_of_fields(comparison)) {
     const ComparedFigure& gap = figure_named("gap");
     const auto gaps = spread_of(gap, runs);
@@ -68,28 +74,14 @@ Row planner_row(const Comparison& comparison, const std::string& label,
   for (const std::string_view key : means_of(comparison)) {
     const ComparedFigure& figure = figure_named(key);
     const auto own = spread_of(figure, runs);
-    row.push_back(own ? number_text(figure, own->mean) : "-");
+    const bool tells = own && !(jumps && key == "length_steps");
+    row.push_back(tells ? number_text(figure, own->mean) : "-");
   }
   return row;
 }
 
 std::string cells_text(const std::optional<GridCell>& cell) {
   return cell ? fmt::format("[{}, {}]", cell->column, cell->row) : "free";
-}
-
-// A planner that stops late had more than the others.
-std::string budget_remark(const Comparison& comparison, const std::string& label,
-                          const std::vector<const ComparedRun*>& runs) {
-  constexpr double kMuch = 1.05;
-  const double budget = comparison.budget == Budget::kEvaluations
-                            ? static_cast<double>(comparison.planners.front().stop.evaluations)
-                            : comparison.planners.front().stop.seconds;
-  const ComparedFigure& figure =
-      figure_named(comparison.budget == Budget::kEvaluations ? "evaluations" : "seconds");
-  const auto used = spread_of(figure, runs);
-  if (comparison.budget == Budget::kNone || !used || used->worst <= kMuch * budget) return "";
-  return fmt::format("  {} overran the budget: up to {:.4g} {} of {:.4g}\n", label, used->worst,
-                     figure.heading, budget);
 }
 
 // The best plans as they were driven.
@@ -169,7 +161,6 @@ std::string map_table(const Comparison& comparison, int m, const std::vector<Com
           "average: nothing can drive them\n",
           label, counts.with_jumps, counts.planned, spread_of(figure_named("jumps"), own)->mean);
     }
-    remarks += budget_remark(comparison, label, own);
   }
   for (const std::string& note : map.notes) remarks += "  " + terminal_text(note) + "\n";
   text += aligned(rows) + remarks;
@@ -177,6 +168,11 @@ std::string map_table(const Comparison& comparison, int m, const std::vector<Com
 }
 
 std::string p_text(double p) { return p < 0.0001 ? "< 0.0001" : fmt::format("{:.4f}", p); }
+
+// Whether Friedman's test finds a difference; else no planner is called better or worse.
+bool planners_differ(const Comparison& comparison, const ComparisonRanks& ranks) {
+  return ranks.friedman && ranks.friedman->f_p < comparison.tests.alpha;
+}
 
 std::string ranks_table(const Comparison& comparison, const ComparisonRanks& ranks) {
   std::vector<std::size_t> order(ranks.average_ranks.size());
@@ -190,7 +186,7 @@ std::string ranks_table(const Comparison& comparison, const ComparisonRanks& ran
                fmt::format("{:.2f}", ranks.average_ranks[p])};
     if (static_cast<int>(p) == ranks.control) {
       row.emplace_back("control");
-    } else if (ranks.distance > 0.0) {
+    } else if (ranks.distance > 0.0 && planners_differ(comparison, ranks)) {
       const double apart =
           ranks.average_ranks[p] - ranks.average_ranks[static_cast<std::size_t>(ranks.control)];
       row.emplace_back(std::abs(apart) < ranks.distance ? "not told from the control"
@@ -205,7 +201,7 @@ std::string ranks_table(const Comparison& comparison, const ComparisonRanks& ran
 std::string friedman_text(const Comparison& comparison, const ComparisonRanks& ranks) {
   if (!ranks.friedman) return "";
   const FriedmanTest& test = *ranks.friedman;
-  const bool differ = test.f_p < comparison.tests.alpha;
+  const bool differ = planners_differ(comparison, ranks);
   std::string text = fmt::format(
       "  Friedman: chi-square {:.2f} ({} degrees of freedom), p {}; Iman and Davenport: F {:.2f}, "
       "p {}: the planners {}\n",
@@ -257,8 +253,12 @@ std::string tests_text(const Comparison& comparison, const ComparisonRanks& rank
                : fmt::format("single runs: what holds for these very {}\n", what);
   if (!ranks.average_ranks.empty()) text += ranks_table(comparison, ranks);
   text += friedman_text(comparison, ranks) + pairs_table(comparison, ranks);
-  for (const std::string& note : ranks.notes) text += "  note: " + note + "\n";
+  for (const std::string& note : ranks.notes) text += "  note: " + terminal_text(note) + "\n";
   return text;
+}
+
+std::string counted(std::size_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 std::string budget_text(const Comparison& comparison) {
@@ -279,10 +279,11 @@ std::string budget_text(const Comparison& comparison) {
 std::string comparison_summary(const Comparison& comparison, const std::vector<ComparedRun>& runs,
                                const ComparisonRanks& ranks) {
   std::string text =
-      fmt::format("{}: {} planners on {} {}, {} repeats, {}, seed {}\n",
-                  terminal_text(comparison.name), comparison.planners.size(),
-                  comparison.maps.size(), is_of_fields(comparison) ? "fields" : "maps",
-                  comparison.repeats, budget_text(comparison), comparison.seed);
+      fmt::format("{}: {} on {}, {}, {}, seed {}\n", terminal_text(comparison.name),
+                  counted(comparison.planners.size(), "planner"),
+                  counted(comparison.maps.size(), is_of_fields(comparison) ? "field" : "map"),
+                  counted(static_cast<std::size_t>(comparison.repeats), "repeat"),
+                  budget_text(comparison), comparison.seed);
   for (std::size_t m = 0; m < comparison.maps.size(); ++m) {
     text += map_table(comparison, static_cast<int>(m), runs);
   }

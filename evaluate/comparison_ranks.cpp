@@ -152,6 +152,26 @@ void note_what_is_missing(const Comparison& comparison, ComparisonRanks& ranks) 
   }
 }
 
+// A planner that stops late had more than the others.
+void note_overrun_budgets(const Comparison& comparison, const std::vector<ComparedRun>& runs,
+                          ComparisonRanks& ranks) {
+  constexpr double kMuch = 1.05;
+  if (comparison.budget == Budget::kNone) return;
+  const bool counts = comparison.budget == Budget::kEvaluations;
+  const SearchStop& stop = comparison.planners.front().stop;
+  const double budget = counts ? static_cast<double>(stop.evaluations) : stop.seconds;
+  const ComparedFigure& figure = find_figure(counts ? "evaluations" : "seconds", "ranks", "");
+  for (std::size_t m = 0; m < comparison.maps.size(); ++m) {
+    for (std::size_t p = 0; p < comparison.planners.size(); ++p) {
+      const auto used = spread_of(figure, runs_of(runs, static_cast<int>(m), static_cast<int>(p)));
+      if (!used || used->worst <= kMuch * budget) continue;
+      ranks.notes.push_back(fmt::format("{} overran the budget on {}: up to {:.4g} {} of {:.4g}",
+                                        comparison.planners[p].label, comparison.maps[m].name,
+                                        used->worst, counts ? "evaluations" : "s", budget));
+    }
+  }
+}
+
 }  // namespace
 
 ComparisonRanks rank_planners(const Comparison& comparison, const std::vector<ComparedRun>& runs) {
@@ -162,6 +182,7 @@ ComparisonRanks rank_planners(const Comparison& comparison, const std::vector<Co
     }
   }
   make_blocks(comparison, runs, ranks);
+  note_overrun_budgets(comparison, runs, ranks);
   const int planners = static_cast<int>(comparison.planners.size());
   const int blocks = static_cast<int>(ranks.blocks.size());
   if (planners < 2) {

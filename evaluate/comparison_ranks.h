@@ -30,7 +30,7 @@ struct ComparisonRanks {
   std::vector<PlannerPair> pairs;
   // No pair of so few blocks could come out significant, not even one that always wins.
   bool pairs_too_few = false;
-  std::vector<std::string> notes;  // what the tests cannot say, and what would help
+  std::vector<std::string> notes;  // overrun budgets; what the tests cannot say, what would help
 };
 
 // A block is a map, with the mean over the repeats, or a single run (ComparisonTests). A planner

@@ -276,6 +276,19 @@ TEST(ComparisonRanks, TooFewBlocksAreSaidInsteadOfP) {
   EXPECT_LT(seven.pairs[0].holm_p, 0.05);
 }
 
+TEST(ComparisonRanks, TellWhoOverranTheBudget) {
+  Comparison comparison = small_comparison();
+  comparison.budget = Budget::kEvaluations;
+  for (ComparedPlanner& planner : comparison.planners) planner.stop.evaluations = 1000;
+  auto runs = made_up_runs(comparison, 7, 1, [](int m, int p, int) { return p * 1.0 + m; });
+  for (ComparedRun& run : runs) run.plan.evaluations = 1040;
+  EXPECT_THAT(rank_planners(comparison, runs).notes, IsEmpty());
+  runs.front().plan.evaluations = 2500;
+  const auto notes = rank_planners(comparison, runs).notes;
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_THAT(notes[0], HasSubstr("overran the budget on map: up to 2500 evaluations of 1000"));
+}
+
 TEST(ComparisonRanks, PlansWithJumpsRankLastHoweverCheap) {
   Comparison comparison = small_comparison();
   auto runs = made_up_runs(comparison, 6, 2, [](int m, int p, int) { return p * 1.0 + m; });
