@@ -76,9 +76,8 @@ PlanResult plan_scenario(const Scenario& scenario, const Stage& stage,
 }
 
 void predict(const Scenario& scenario, const Stage& stage, PlanResult& result) {
-  predict_by(scenario,
-             read_if_given(scenario.planner.cost_file, scenario, stage, result.notes), stage,
-             result);
+  predict_by(scenario, read_if_given(scenario.planner.cost_file, scenario, stage, result.notes),
+             stage, result);
 }
 
 }  // namespace headland

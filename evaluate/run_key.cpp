@@ -67,9 +67,9 @@ std::string ContentDigests::of_vehicle(const std::string& name_or_folder) {
 std::string run_key(const Scenario& scenario, ContentDigests& digests) {
   Scenario content = scenario;
   content.name.clear();
-  for (fs::path* file : {&content.field.file, &content.field.grid_map, &content.terrain.file,
-                         &content.soil.file, &content.path_file, &content.planner.cost_file,
-                         &content.planner.predict_file}) {
+  for (fs::path* file :
+       {&content.field.file, &content.field.grid_map, &content.terrain.file, &content.soil.file,
+        &content.path_file, &content.planner.cost_file, &content.planner.predict_file}) {
     // As if they lay in the root: the folder the program runs in is no part of the run.
     if (!file->empty()) *file = fs::path("/") / digests.of_file(*file);
   }
