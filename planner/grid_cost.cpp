@@ -12,6 +12,7 @@
 
 #include "planner/grid_prices.h"
 #include "terrains/input_error.h"
+#include "terrains/parameter.h"
 
 namespace headland {
 namespace {
@@ -32,9 +33,8 @@ void check_weights(const std::array<NamedValue, 3>& weights, const std::string& 
   }
   if (!(sum > 0.0)) {
     throw InputError(source, key_path(where, std::string(weights.front().first)), "0",
-                     fmt::format("more than 0, or {} or {} is: all are zero",
-                                 key_path(where, std::string(weights[1].first)),
-                                 key_path(where, std::string(weights[2].first))));
+                     fmt::format("more than 0, or {} or {} is: all are zero", weights[1].first,
+                                 weights[2].first));
   }
 }
 

@@ -203,7 +203,7 @@ TEST(GridCostOf, RefusesWeightsThatWeighNothing) {
   EXPECT_EQ(said(cost), "spec.yaml: cost.turn: '-0.1': a weight, a finite number from 0 up");
   cost.weights = {0.0, 0.0, 0.0};
   EXPECT_EQ(said(cost),
-            "spec.yaml: cost.repeat: '0': more than 0, or cost.turn or cost.u_turn is: "
+            "spec.yaml: cost.repeat: '0': more than 0, or turn or u_turn is: "
             "all are zero");
   cost = {};
   cost.tractor.turn_weight = std::nan("");
