@@ -72,6 +72,23 @@ TEST_F(StagesTest, GridPlannersAreDrivenLikeAnyOther) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "B" / "grid_plan.json"));
 }
 
+// The fields of Wu et al. 2023 as reconstructed; bench/grid_drive drives all planners on them.
+TEST_F(StagesTest, GridPlansCoverThePapersFieldsInside) {
+  for (const char* map : {"field_A", "field_B"}) {
+    write("field.yaml", std::string("field: {grid_map: ") + HEADLAND_SOURCE_DIR +
+                            "/examples/maps/" + map +
+                            ".txt}\nvehicle: transplanter\n"
+                            "planner: {name: grid_boustrophedon}\n");
+    ASSERT_EQ(headland("plan field.yaml -o F -q").exit_code, 0) << map;
+    ASSERT_EQ(headland("drive F -q").exit_code, 0) << map;
+    const auto metrics = nlohmann::json::parse(text_of(folder_ / "F" / "metrics.json"));
+    EXPECT_EQ(metrics["outcome"]["name"], "finished") << map;
+    EXPECT_GE(metrics["figures"]["coverage_ratio"].get<double>(), 0.99) << map;
+    EXPECT_EQ(metrics["figures"]["outside_m2"].get<double>(), 0.0) << map;
+    EXPECT_EQ(metrics["verdict"]["grade"], "PASS") << map;
+  }
+}
+
 TEST_F(StagesTest, AFailingVerdictExitsWith1) {
   write("tiny.yaml", kTinyScenario + "verdict: {reserve_soc_min: {warn: 1, fail: 1}}\n");
   const CommandResult result = headland(kEvaluateTiny + "DIR");
