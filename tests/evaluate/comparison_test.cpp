@@ -452,7 +452,7 @@ TEST_F(ComparisonFile, RefusesCostsAndEndsThatAreNone) {
   EXPECT_THAT(refused(both + "cost: {objective: weighted, turn: -1}\n"),
               HasSubstr("cost.turn: '-1'"));
   EXPECT_THAT(refused(both + "cost: {objective: weighted, turn: 0, repeat: 0, u_turn: 0}\n"),
-              HasSubstr("compare.yaml: line 3: cost: "));
+              HasSubstr("compare.yaml: line 3: cost.repeat: '0'"));
   EXPECT_THAT(refused(both + "cost: {objective: tractor, tractor: {mass_kg: 0}}\n"),
               HasSubstr("mass_kg"));
   EXPECT_THAT(refused(both + "stop: {iterations: 0}\n"), HasSubstr("stop.iterations: '0'"));

@@ -69,7 +69,7 @@ TEST_F(TuningTest, RefusesWhatItCannotTune) {
               HasSubstr("unknown planner; the nearest is grid_iga"));
   EXPECT_THAT(
       said("vehicle: transplanter\nplanner: {name: grid_iga, cost: {objective: length}}\n" + sets),
-      HasSubstr("planner.cost: what is tuned is not given"));
+      HasSubstr("planner.cost: not here"));
   EXPECT_THAT(said("vehicle: transplanter\nserch: {evaluations: 3}\n" + sets), HasSubstr("search"));
   EXPECT_THAT(said("vehicle: transplanter\nbootstrap: 1\n" + sets), HasSubstr("bootstrap"));
 }
