@@ -30,16 +30,6 @@ struct JobOptions {
 constexpr double kHectare_m2 = 1e4;
 constexpr double kJoulesPerWh = 3600.0;
 
-std::vector<PathLine> lines_of(const Path& path) {
-  std::vector<PathLine> lines;
-  for (const PathSegment& segment : path.segments) {
-    PathLine line{{}, segment.implement_down, !lines.empty()};
-    for (const PathPoint& point : segment.points) line.points_W.push_back(point.p_W);
-    lines.push_back(std::move(line));
-  }
-  return lines;
-}
-
 Audit audit_of(const JobPlan& plan) {
   const double width_m = plan.stage.vehicle.implement.working_width_m;
   return audit_path(plan.stage.field, plan.stage.vehicle, lines_of(plan.path),

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <memory>
 #include <thread>
 
 #include "apps/interrupt.h"
 #include "apps/progress.h"
 #include "evaluate/atomic_file.h"
+#include "render/broken_pipes.h"
 #include "render/frame_workers.h"
 #include "render/video_encoder.h"
 #include "render/video_frame.h"
@@ -84,23 +84,10 @@ void check_video_request(const VideoRequest& request) {
   require_ffmpeg();
 }
 
-namespace {
-
-// While one lives, writing to a program that has ended fails instead of ending this one.
-struct PipesIgnored {
-  void (*before)(int) = std::signal(SIGPIPE, SIG_IGN);
-  PipesIgnored() = default;
-  ~PipesIgnored() { std::signal(SIGPIPE, before); }
-  PipesIgnored(const PipesIgnored&) = delete;
-  PipesIgnored& operator=(const PipesIgnored&) = delete;
-};
-
-}  // namespace
-
 VideoFigures video_stage(const Job& job, const RecordedRun& recorded, const VideoRequest& request) {
   const Times times = times_of(recorded.run, request);
   stop_if_interrupted();
-  const PipesIgnored ignored;
+  const BrokenPipesIgnored ignored;
   const CoverageRaster none;
   const PictureScene scene{job.stage.field, job.stage.terrain, job.stage.vehicle,
                            recorded.path,   recorded.run,      none};

@@ -15,18 +15,6 @@ constexpr double kMostCells = 2e7;  // of the coverage raster
 constexpr double kLeastCell_m = 0.1;
 constexpr double kMostCell_m = 0.25;
 
-std::vector<PathLine> lines_of(const Path& path) {
-  std::vector<PathLine> lines;
-  for (const PathSegment& segment : path.segments) {
-    PathLine line;
-    for (const PathPoint& point : segment.points) line.points_W.push_back(point.p_W);
-    line.implement_down = segment.implement_down;
-    line.joined = !lines.empty();
-    lines.push_back(std::move(line));
-  }
-  return lines;
-}
-
 void judge_path(const SuiteField& made, SuiteRow& row) {
   const Field& field = made.stage.field;
   const Audit audit =

@@ -264,4 +264,14 @@ Audit audit_path(const Field& field, const Vehicle& vehicle, const std::vector<P
 
 bool passes(const Audit& audit) { return audit.places.empty(); }
 
+std::vector<PathLine> lines_of(const Path& path) {
+  std::vector<PathLine> lines;
+  for (const PathSegment& segment : path.segments) {
+    PathLine line{{}, segment.implement_down, !lines.empty()};
+    for (const PathPoint& point : segment.points) line.points_W.push_back(point.p_W);
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
 }  // namespace headland

@@ -10,6 +10,7 @@
 
 #include "evaluate/coverage.h"
 #include "evaluate/ground_patches.h"
+#include "planner/path.h"
 #include "terrains/field.h"
 #include "terrains/track.h"
 #include "vehicle_models/vehicle.h"
@@ -79,5 +80,8 @@ inline constexpr double kTooTightShare = 0.98;  // of the vehicle's radius: esti
 inline constexpr double kLeastPatch_m2 = 1.0;
 
 bool passes(const Audit& audit);
+
+// A path of ours as lines: a segment each, joined to the one before.
+std::vector<PathLine> lines_of(const Path& path);
 
 }  // namespace headland

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include <iterator>
 #include <system_error>
 
+#include "render/broken_pipes.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -34,16 +34,6 @@ struct ScratchFolder {
   }
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
-};
-
-// While one lives, writing to a program that has ended fails instead of ending this one.
-struct BrokenPipesIgnored {
-  void (*before)(int) = std::signal(SIGPIPE, SIG_IGN);
-
-  BrokenPipesIgnored() = default;
-  ~BrokenPipesIgnored() { std::signal(SIGPIPE, before); }
-  BrokenPipesIgnored(const BrokenPipesIgnored&) = delete;
-  BrokenPipesIgnored& operator=(const BrokenPipesIgnored&) = delete;
 };
 
 }  // namespace

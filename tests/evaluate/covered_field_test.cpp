@@ -19,18 +19,6 @@ namespace {
 constexpr double kCoveredCell_m = 0.2;
 constexpr double kLeastCovered = 0.995;
 
-std::vector<PathLine> audited_lines(const Path& path) {
-  std::vector<PathLine> lines;
-  for (const PathSegment& segment : path.segments) {
-    PathLine line;
-    for (const PathPoint& point : segment.points) line.points_W.push_back(point.p_W);
-    line.implement_down = segment.implement_down;
-    line.joined = !lines.empty();
-    lines.push_back(std::move(line));
-  }
-  return lines;
-}
-
 struct Audited {
   Audit audit;
   double covered_ratio = 0.0;  // of what can be reached
@@ -47,7 +35,7 @@ Audited audited(const FieldRecipe& recipe, const std::string& vehicle, const std
   const Plan plan = planner.plan(plan_request(scenario, stage));
   const Path path = make_path(stage.field, stage.vehicle, plan, scenario.path);
   Audited made;
-  made.audit = audit_path(stage.field, stage.vehicle, audited_lines(path), kCoveredCell_m);
+  made.audit = audit_path(stage.field, stage.vehicle, lines_of(path), kCoveredCell_m);
   const CoverageFigures figures = coverage_figures(
       reachable_part(made.audit.raster, stage.field, stage.vehicle, scenario.path.clearance_m));
   made.covered_ratio = 1.0 - figures.missed_m2 / figures.workable_m2;

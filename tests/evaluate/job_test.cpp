@@ -61,12 +61,7 @@ class Jobs : public test::ResultsFolder {
 };
 
 Audit audit_of(const JobPlan& plan) {
-  std::vector<PathLine> lines;
-  for (const PathSegment& segment : plan.path.segments) {
-    lines.push_back({{}, segment.implement_down, !lines.empty()});
-    for (const PathPoint& point : segment.points) lines.back().points_W.push_back(point.p_W);
-  }
-  return audit_path(plan.stage.field, plan.stage.vehicle, lines, 0.25);
+  return audit_path(plan.stage.field, plan.stage.vehicle, lines_of(plan.path), 0.25);
 }
 
 std::vector<std::string> names_of(const JobPlan& plan) {

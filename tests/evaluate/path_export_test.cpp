@@ -314,12 +314,7 @@ TEST_F(PathExports, TaskDataGuidesTheImplementAlongThePasses) {
 // implement alike.
 TEST_F(PathExports, TracksReadBackWorkTheSameGround) {
   const auto covered_m2 = [&](const Path& path) {
-    std::vector<PathLine> lines;
-    for (const PathSegment& segment : path.segments) {
-      lines.push_back({{}, segment.implement_down, !lines.empty()});
-      for (const PathPoint& point : segment.points) lines.back().points_W.push_back(point.p_W);
-    }
-    return audit_path(made().field, made().vehicle, lines, 0.25).coverage.covered_m2;
+    return audit_path(made().field, made().vehicle, lines_of(path), 0.25).coverage.covered_m2;
   };
   const double own_m2 = covered_m2(made().path);
   for (const ExportFormat format :
