@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "planner/scanline.h"
 #include "terrains/input_error.h"
@@ -133,41 +134,50 @@ void mark_field(CoverageRaster& raster, Scanline& scan, const Field& field) {
   for (const Obstacle& obstacle : field.obstacles) clear_obstacle(raster, obstacle);
 }
 
-void mark_strips(CoverageRaster& raster, Scanline& scan,
-                 const std::vector<FootprintSample>& footprints) {
+}  // namespace
+
+GrowingCoverage start_coverage(const Field& field, const std::vector<FootprintSample>& footprints,
+                               double working_width_m, double cell_m) {
+  assert(cell_m > 0.0 && working_width_m > 0.0);
+  GrowingCoverage coverage;
+  coverage.raster = empty_raster(field, footprints, working_width_m, cell_m);
+  coverage.scan = make_scanline(coverage.raster.columns, coverage.raster.rows);
   constexpr float kNever = -std::numeric_limits<float>::infinity();
-  // Half the memory of doubles; at 100 km of travel a float is still within 4 mm.
-  std::vector<float> last_touch_m(raster.times.size(), kNever);
-  for (std::size_t k = 1; k < footprints.size(); ++k) {
+  coverage.last_touch_m.assign(coverage.raster.times.size(), kNever);
+  mark_field(coverage.raster, coverage.scan, field);
+  return coverage;
+}
+
+void grow_coverage(GrowingCoverage& coverage, const std::vector<FootprintSample>& footprints,
+                   std::size_t end) {
+  CoverageRaster& raster = coverage.raster;
+  for (std::size_t k = std::max<std::size_t>(coverage.added, 1); k < end; ++k) {
     const FootprintSample& before = footprints[k - 1];
     const FootprintSample& now = footprints[k];
     if (now.starts_strip || !finite(before) || !finite(now)) continue;
     const Eigen::Vector2d corners[] = {in_cells(raster, before.left_W),
                                        in_cells(raster, before.right_W),
                                        in_cells(raster, now.right_W), in_cells(raster, now.left_W)};
-    for (std::size_t c = 0; c < 4; ++c) add_edge(scan, corners[c], corners[(c + 1) % 4]);
-    fill(scan, [&](int row, int begin, int end) {
-      for (int column = begin; column < end; ++column) {
+    for (std::size_t c = 0; c < 4; ++c) add_edge(coverage.scan, corners[c], corners[(c + 1) % 4]);
+    fill(coverage.scan, [&](int row, int begin, int end_column) {
+      for (int column = begin; column < end_column; ++column) {
         const std::size_t cell = index_of(raster, column, row);
-        if (now.travel_m - last_touch_m[cell] > kCoverageGap_m && raster.times[cell] < 255) {
+        float& last_touch_m = coverage.last_touch_m[cell];
+        if (now.travel_m - last_touch_m > kCoverageGap_m && raster.times[cell] < 255) {
           ++raster.times[cell];
         }
-        last_touch_m[cell] = static_cast<float>(now.travel_m);
+        last_touch_m = static_cast<float>(now.travel_m);
       }
     });
   }
+  coverage.added = std::max(coverage.added, end);
 }
-
-}  // namespace
 
 CoverageRaster measure_coverage(const Field& field, const std::vector<FootprintSample>& footprints,
                                 double working_width_m, double cell_m) {
-  assert(cell_m > 0.0 && working_width_m > 0.0);
-  CoverageRaster raster = empty_raster(field, footprints, working_width_m, cell_m);
-  Scanline scan = make_scanline(raster.columns, raster.rows);
-  mark_field(raster, scan, field);
-  mark_strips(raster, scan, footprints);
-  return raster;
+  GrowingCoverage coverage = start_coverage(field, footprints, working_width_m, cell_m);
+  grow_coverage(coverage, footprints, footprints.size());
+  return std::move(coverage.raster);
 }
 
 void check_coverage_size(const Field& field, double working_width_m, double cell_m,

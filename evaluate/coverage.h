@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/scanline.h"
 #include "sim/run_record.h"
 #include "terrains/field.h"
 
@@ -44,6 +45,22 @@ struct CoverageFigures {
 // would need more than kMaxCoverageMemory_gb.
 CoverageRaster measure_coverage(const Field& field, const std::vector<FootprintSample>& footprints,
                                 double working_width_m, double cell_m);
+
+// The same while a run goes on.
+struct GrowingCoverage {
+  CoverageRaster raster;
+  Scanline scan;
+  std::vector<float> last_touch_m;  // travel; at 100 km a float is still within 4 mm
+  std::size_t added = 0;            // footprints so far
+};
+
+// None added yet; the raster spans what all of `footprints` will work, so that it stays in place.
+GrowingCoverage start_coverage(const Field& field, const std::vector<FootprintSample>& footprints,
+                               double working_width_m, double cell_m);
+
+// Adds those of the same footprints that come before `end`, which never goes back.
+void grow_coverage(GrowingCoverage& coverage, const std::vector<FootprintSample>& footprints,
+                   std::size_t end);
 
 // Throws InputError as measure_coverage does, naming `source`, when it could for this field: what
 // passes can be measured wherever the implement works.

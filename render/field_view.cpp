@@ -129,7 +129,6 @@ FieldView view_of_vehicle(const PictureScene& scene, const RunSample& sample, co
                     p_W + Eigen::Vector2d::Constant(kReach_m)};
   view.block = overlap(near, terrain);
   view.relief = from.relief.value_or(Relief{sample.p_WB.z(), 1.0});
-  view.bottom_D = height_range(scene.terrain, view.block).low_m - view.relief.base_m - 5.0;
 
   // Corners of the hull, and of the implement as far as it is not much wider.
   const Eigen::Rotation2Dd turn(sample.yaw_rad);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "evaluate/duration_text.h"
 #include "render/map_base.h"
@@ -85,11 +86,13 @@ struct VideoPainter::State {
         map(map_view(whole, layout.page)),
         ground(whole, map, {}, map_look(), colours::kGround),
         // Frame D of all frames, wherever the machine is.
-        world(whole, {whole.run.samples.front().p_WB.z(), 1.0}, moment_sun()),
+        world(whole, {last_pose(whole.run)->p_WB.z(), 1.0}, moment_sun()),
         frame(wanted.size.width, wanted.size.height, colours::kPaper) {
     const Extent field = extent_of(whole.field.boundary);
     constexpr double kMostCells = 6e5;
-    cell_m = std::max(wanted.cell_m, std::sqrt(area_m2(field) / kMostCells));
+    const double cell_m = std::max(wanted.cell_m, std::sqrt(area_m2(field) / kMostCells));
+    worked = start_coverage(whole.field, whole.run.footprints, wanted.working_width_m, cell_m);
+    shown.emplace(coverage_classes(worked.raster, true));
     for (const RunSample& sample : whole.run.samples) {
       most_mps = std::max(most_mps, std::abs(sample.speed_mps));
       most_w = std::max(most_w, sample.battery_power_w);
@@ -119,10 +122,11 @@ struct VideoPainter::State {
       const Point2 p = pixel_of(map.camera, run.samples[samples].p_WB.head<2>());
       if (way.empty() || (p - way.back()).norm() > 0.7) way.push_back(p);
     }
-    for (; footprints.size() < run.footprints.size() &&
-           run.footprints[footprints.size()].time_s <= time_s;) {
-      footprints.push_back(run.footprints[footprints.size()]);
-    }
+    std::size_t past = worked.added;
+    while (past < run.footprints.size() && run.footprints[past].time_s <= time_s) ++past;
+    if (past == worked.added) return;
+    grow_coverage(worked, run.footprints, past);
+    shown.emplace(coverage_classes(worked.raster, true));
   }
 
   void draw_strip(Sheet& sheet, const RunSample& now) {
@@ -161,8 +165,6 @@ struct VideoPainter::State {
   Image draw(double time_s) {
     go_to(time_s);
     const RunSample now = sample_at(scene.run, time_s).value();
-    const SurfaceCoverage coverage(coverage_classes(
-        measure_coverage(scene.field, footprints, options.working_width_m, cell_m), true));
     const FieldView view =
         chase_view(scene, now, trailing_heading_rad(scene.run, time_s), layout.chase, world.relief);
     const Shot shot(world, view, Surroundings::kSky, &now);
@@ -177,9 +179,9 @@ struct VideoPainter::State {
     draw_strip(strip, now);
     fill_box(strip, {layout.map.x - 1.0, 0.0, 2.0, layout.map.height}, kStripGround);
     return frame.draw([&](const Canvas& canvas) {
-      paint_world(canvas, typeface, world, shot, coverage, world_lines);
+      paint_world(canvas, typeface, world, shot, *shown, world_lines);
       look_through(map.camera.view_px, canvas);
-      paint_surface(canvas, ground.surface, ground.clip, coverage, ground.look);
+      paint_surface(canvas, ground.surface, ground.clip, *shown, ground.look);
       look_through(layout.map, canvas);
       paint(map_lines, typeface, canvas);
       look_at_page();
@@ -197,12 +199,12 @@ struct VideoPainter::State {
   World world;
   GlFrame frame;
   Sheet lines;  // of the map, the same in every frame
-  double cell_m = 0.25;
   double most_mps = 0.0;
   double most_w = 0.0;
   std::size_t samples = 0;  // that are past
   std::vector<Point2> way;
-  std::vector<FootprintSample> footprints;  // that are past
+  GrowingCoverage worked;                // by footprints that are past
+  std::optional<SurfaceCoverage> shown;  // the same on the graphics side
 };
 
 VideoPainter::VideoPainter(const PictureScene& scene, const VideoFrameOptions& options) {

@@ -65,7 +65,8 @@ Mesh obstacle_shadows_of(const PictureScene& scene, const Relief& relief,
 Mesh vehicle_of(const World& world, const RunSample* sample) {
   Mesh mesh;
   if (sample != nullptr) {
-    append(mesh, vehicle_mesh(world.scene.vehicle, *sample).mesh, pose_in_D(*sample, world.relief));
+    append(mesh, moved_vehicle_mesh(world.scene.vehicle, world.body, *sample),
+           pose_in_D(*sample, world.relief));
   }
   return mesh;
 }
@@ -176,6 +177,9 @@ void paint_world(const Canvas& canvas, const Typeface& typeface, const World& wo
   look_at_page();
 }
 
+namespace {
+
+// Places in D as pixels with depth, those behind the camera left out.
 std::vector<Point3> seen(const Camera& camera, const std::vector<Point3>& line_D) {
   std::vector<Point3> line;
   line.reserve(line_D.size());
@@ -187,16 +191,26 @@ std::vector<Point3> seen(const Camera& camera, const std::vector<Point3>& line_D
   return thinned(line, 0.5);
 }
 
+}  // namespace
+
 void draw_boundaries(Sheet& lines, const PictureScene& scene, const FieldView& view,
                      double width_px) {
   const double lift_m = 0.001 * view.block.size().maxCoeff();
   constexpr Rgba kDraped{250, 250, 246};
+  const Extent drawn = grown(view.block, scene.terrain.cell_m);
+  const auto near = [&](const Point3& p_D) {
+    const Point2 p_W = p_D.head<2>();
+    return (p_W.array() >= drawn.low.array()).all() && (p_W.array() <= drawn.high.array()).all();
+  };
   const auto ring = [&](const Ring& points_W) {
     const auto line =
         draped(scene.terrain, view.relief, points_W, true, scene.terrain.cell_m, lift_m);
     // From leg to leg, as some lie behind the camera.
     for (std::size_t i = 0; i < line.size(); ++i) {
-      stroke(lines, seen(view.camera, {line[i], line[(i + 1) % line.size()]}), width_px, kDraped);
+      const Point3& from = line[i];
+      const Point3& to = line[(i + 1) % line.size()];
+      if (!near(from) && !near(to)) continue;
+      stroke(lines, seen(view.camera, {from, to}), width_px, kDraped);
     }
   };
   ring(scene.field.boundary);

@@ -50,7 +50,4 @@ void paint_world(const Canvas& canvas, const Typeface& typeface, const World& wo
 void draw_boundaries(Sheet& lines, const PictureScene& scene, const FieldView& view,
                      double width_px);
 
-// Places in D as pixels with depth, those behind the camera left out.
-std::vector<Eigen::Vector3d> seen(const Camera& camera, const std::vector<Eigen::Vector3d>& line_D);
-
 }  // namespace headland
