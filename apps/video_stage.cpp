@@ -10,7 +10,7 @@
 #include "apps/interrupt.h"
 #include "apps/progress.h"
 #include "evaluate/atomic_file.h"
-#include "render/broken_pipes.h"
+#include "render/called_program.h"
 #include "render/frame_workers.h"
 #include "render/video_encoder.h"
 #include "render/video_frame.h"

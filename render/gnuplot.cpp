@@ -9,7 +9,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "render/broken_pipes.h"
+#include "render/called_program.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -38,15 +38,7 @@ struct ScratchFolder {
 
 }  // namespace
 
-void require_gnuplot() {
-  const int status = std::system("gnuplot --version >/dev/null 2>&1");
-  // What the shell says of a command that it does not find. A signal that ended the question tells
-  // nothing of gnuplot.
-  constexpr int kNotFound = 127;
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != kNotFound) return;
-  throw InputError("gnuplot", "", "",
-                   "is not installed; it draws the charts (Debian: gnuplot-nox)");
-}
+void require_gnuplot() { require_program("gnuplot", "draws the charts", "gnuplot-nox"); }
 
 std::string gnuplot_text(std::string_view text) {
   std::string out = "'";

@@ -8,30 +8,27 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
-#include <sstream>
 #include <string>
 #include <system_error>
 
+#include "render/called_program.h"
 #include "terrains/input_error.h"
 
 namespace headland {
 namespace {
 
-constexpr char kMissing[] = "is not installed; it writes videos (Debian: ffmpeg)";
+// What a child says of a program that it cannot start, as shells do.
+constexpr int kNotStarted = 127;
+
+[[noreturn]] void refuse(const std::filesystem::path& file, int status) {
+  throw InputError(file.string(), "", fmt::format("ffmpeg's exit status {}", status),
+                   status == kNotStarted ? "ffmpeg cannot be started (Debian: ffmpeg)"
+                                         : "the video cannot be written");
+}
 
 }  // namespace
 
-void require_ffmpeg() {
-  // Asking a shell would lose a Ctrl-C.
-  const char* const path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "" : path);
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    const std::string program = (folder.empty() ? "." : folder) + "/ffmpeg";
-    if (::access(program.c_str(), X_OK) == 0) return;
-  }
-  throw InputError("ffmpeg", "", "", kMissing);
-}
+void require_ffmpeg() { require_program("ffmpeg", "writes videos", "ffmpeg"); }
 
 VideoEncoder::VideoEncoder(std::filesystem::path file, const PictureSize& size, double frames_per_s)
     : file_(std::move(file)),
@@ -55,7 +52,7 @@ VideoEncoder::VideoEncoder(std::filesystem::path file, const PictureSize& size, 
     ::setpgid(0, 0);
     ::dup2(pipe[0], STDIN_FILENO);
     ::execvp("ffmpeg", const_cast<char* const*>(arguments.data()));
-    ::_exit(127);
+    ::_exit(kNotStarted);
   }
   ::close(pipe[0]);
   frames_ = pipe[1];
@@ -78,11 +75,7 @@ void VideoEncoder::write(std::span<const std::uint8_t> rgba) {
   while (!rgba.empty()) {
     const ssize_t written = ::write(frames_, rgba.data(), rgba.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      const int status = wait();
-      throw InputError(file_.string(), "", fmt::format("ffmpeg's exit status {}", status),
-                       status == 127 ? kMissing : "the video cannot be written");
-    }
+    if (written < 0) refuse(file_, wait());
     rgba = rgba.subspan(static_cast<std::size_t>(written));
   }
 }
@@ -91,10 +84,7 @@ void VideoEncoder::finish() {
   const int status = wait();
   std::error_code fault;
   if (status == 0) std::filesystem::rename(unfinished_, file_, fault);
-  if (status != 0 || fault) {
-    throw InputError(file_.string(), "", fmt::format("ffmpeg's exit status {}", status),
-                     status == 127 ? kMissing : "the video cannot be written");
-  }
+  if (status != 0 || fault) refuse(file_, status);
 }
 
 int VideoEncoder::wait() {
