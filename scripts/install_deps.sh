@@ -18,8 +18,8 @@ packages=(
   liburdfdom-dev libtinyxml-dev libpugixml-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev
   # runs as data
   libsqlite3-dev libssl-dev
-  # pictures
-  libosmesa6-dev libassimp-dev libpng-dev libfreetype-dev fonts-dejavu-core gnuplot-nox ffmpeg
+  # pictures; EGL is the other maker of the OpenGL context (HEADLAND_GL=EGL)
+  libosmesa6-dev libegl-dev libopengl-dev libassimp-dev libpng-dev libfreetype-dev fonts-dejavu-core gnuplot-nox ffmpeg
   # tests and benchmarks; the browser is for the report's page
   libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev chromium
 )
