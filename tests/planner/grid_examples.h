@@ -9,6 +9,9 @@
 
 namespace headland {
 
+// Of sums of a few hundred shares and their changes.
+inline constexpr double kSumRounding = 1e-7;
+
 inline GridMap drawn_map(const std::string& text) { return parse_grid_map(text, 1.0, "drawn"); }
 
 inline GridMap example_map(const std::string& name) {
