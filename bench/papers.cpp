@@ -24,6 +24,7 @@ namespace headland::bench {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 struct Asked {
   int runs = 1;
@@ -75,9 +76,8 @@ const std::map<std::string, std::pair<double, double>>& printed_charge() {
   return kPrinted;
 }
 
-constexpr double kNotPrinted = -1.0;
-
 // What the paper ranks the planner by, less being better: percent of charge, 1 / fitness, length.
+// NaN where it prints none.
 double printed_of(const Course& course, const std::string& planner) {
   if (course.objective == "weighted") {
     const auto& [rows, iga] = printed_charge().at(std::string(course.map));
@@ -88,7 +88,7 @@ double printed_of(const Course& course, const std::string& planner) {
     if (row.table != course.table || row.map != course.map || row.planner != planner) continue;
     for (const Printed& printed : row.printed) {
       if (printed.quantity == Quantity::kFitness) return 1.0 / printed.mean;
-      if (course.objective == "length" && printed.mean > 0.0) return printed.mean;
+      if (course.objective == "length" && printed.quantity == Quantity::kSteps) return printed.mean;
     }
   }
   return kNotPrinted;
@@ -102,7 +102,7 @@ std::string printed_counts(const Course& course, const std::string& planner) {
         continue;
       }
       for (const Printed& printed : row.printed) {
-        if (printed.mean < 0.0) continue;
+        if (!std::isfinite(printed.mean)) continue;
         text += fmt::format("{}{:.4g}", text.empty() ? "" : "/", printed.mean);
       }
       return text;
@@ -217,7 +217,7 @@ std::string finding(const Course& course, const std::vector<Driven>& all) {
   std::vector<double> wh;
   for (const Driven& one : all) {
     const double figure = printed_of(course, one.planner);
-    if (figure < 0.0 || one.finished == 0) continue;
+    if (!std::isfinite(figure) || one.finished == 0) continue;
     printed.push_back(figure);
     wh.push_back(one.mean.at("energy_wh"));
   }
@@ -233,6 +233,14 @@ std::string finding(const Course& course, const std::vector<Driven>& all) {
                      spearman(printed, wh), printed.size());
 }
 
+// Why the planners count otherwise than the paper prints.
+std::string why_different(const Course& course) {
+  for (const auto& [table, why] : table_notes()) {
+    if (course.table.starts_with(table)) return std::string(why);
+  }
+  return "";
+}
+
 void print_course(const Course& course, const std::vector<Driven>& all) {
   fmt::print("{}, {}: {}\n", course.table, course.map, finding(course, all));
   fmt::print("  {:<24}{:>20}{:>10}{:>22}{:>9}{:>9}{:>8}{:>8}{:>9}{:>9}\n", "planner",
@@ -241,7 +249,7 @@ void print_course(const Course& course, const std::vector<Driven>& all) {
   for (const Driven& one : all) {
     const double figure = printed_of(course, one.planner);
     fmt::print("  {:<24}{:>20}{:>10}", one.planner, printed_counts(course, one.planner),
-               figure < 0.0 ? "" : fmt::format("{:.4g}", figure));
+               std::isfinite(figure) ? fmt::format("{:.4g}", figure) : "");
     if (one.finished == 0) {
       fmt::print("   none of {} runs finished\n", one.runs);
       continue;
@@ -255,21 +263,23 @@ void print_course(const Course& course, const std::vector<Driven>& all) {
         100.0 * mean("delta_soc"), mean("rested_voltage_drop_v"), 100.0 * mean("coverage_ratio"),
         one.finished < one.runs ? fmt::format("  {} of {} runs", one.finished, one.runs) : "");
   }
+  fmt::print("  {}\n", why_different(course));
   std::fflush(stdout);
 }
 
-nlohmann::ordered_json json_of(const Course& course, const std::vector<Driven>& all) {
-  nlohmann::ordered_json json = {
-      {"table", course.table}, {"map", course.map}, {"finding", finding(course, all)}};
+Json json_of(const Course& course, const std::vector<Driven>& all) {
+  Json json = {{"table", course.table},
+               {"map", course.map},
+               {"finding", finding(course, all)},
+               {"why", why_different(course)}};
   for (const Driven& one : all) {
     const double figure = printed_of(course, one.planner);
-    json["planners"].push_back(
-        {{"planner", one.planner},
-         {"printed", printed_counts(course, one.planner)},
-         {"ranked_by", figure < 0.0 ? nlohmann::ordered_json() : nlohmann::ordered_json(figure)},
-         {"runs", one.runs},
-         {"finished", one.finished},
-         {"mean", one.mean}});
+    json["planners"].push_back({{"planner", one.planner},
+                                {"printed", printed_counts(course, one.planner)},
+                                {"ranked_by", std::isfinite(figure) ? Json(figure) : Json()},
+                                {"runs", one.runs},
+                                {"finished", one.finished},
+                                {"mean", one.mean}});
   }
   return json;
 }
@@ -279,7 +289,7 @@ void run_courses(const Asked& asked) {
   RunStore store;
   open_run_store(asked.store.empty() ? scratch.folder / "runs.db" : fs::path(asked.store),
                  DatabaseMode::kWrite, store);
-  auto json = nlohmann::ordered_json::array();
+  Json json = Json::array();
   for (const Course& course : courses()) {
     if (course.map.find(asked.only) == std::string_view::npos) continue;
     measure_vehicle(scratch, std::string(course.vehicle), asked.jobs);
