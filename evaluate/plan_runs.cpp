@@ -11,7 +11,7 @@ constexpr const char* kColumns =
     "state, outcome, reason, outcome_detail, grid_steps, grid_repeats, grid_turns, grid_u_turns, "
     "grid_level_m, grid_climb_m, grid_jumps, predicted_energy_wh, predicted_swath_wh, "
     "predicted_headland_pass_wh, predicted_turn_wh, predicted_u_turn_wh, predicted_transit_wh, "
-    "energy_wh, energy_wh_per_ha, time_s, delta_soc, coverage_ratio";
+    "energy_wh, energy_wh_per_ha, time_s, delta_soc, coverage_ratio, place";
 
 // Columns one after another.
 struct Reader {
@@ -53,6 +53,7 @@ PlanRun plan_at(const Statement& row) {
                          &plan.coverage_ratio}) {
     *figure = next.number();
   }
+  plan.place = static_cast<std::size_t>(next.count());
   const bool told = std::isfinite(plan.energy_wh) && plan.energy_wh > 0.0;
   if (plan.fault.empty() && !told) plan.fault = "its energy is no positive number";
   return plan;
@@ -75,12 +76,13 @@ GridCost unit_cost(GridObjective form, int term) {
 std::vector<PlanRun> plan_runs(const Sweep& sweep, RunStore& store) {
   const std::scoped_lock lock(store.mutex);
   const Statement row = prepare(
-      store.database, fmt::format("SELECT {} FROM runs WHERE sweep = ? ORDER BY place", kColumns));
+      store.database,
+      fmt::format("SELECT {} FROM runs WHERE sweep = ? AND place < ? ORDER BY place", kColumns));
   bind_value(row, 1, sweep.name);
+  bind_value(row, 2, static_cast<std::int64_t>(cell_count(sweep)));
   std::vector<PlanRun> plans;
   while (step(row)) {
     PlanRun plan = plan_at(row);
-    plan.place = plans.size();
     const SweepCell cell = cell_at(sweep, plan.place);
     const Scenario scenario = scenario_at(sweep, plan.place);
     plan.block = fmt::format("{}, {}, {}, seed {}", cell.field, cell.terrain, cell.soil, cell.seed);
@@ -104,6 +106,7 @@ std::vector<std::string> energy_terms(GridObjective form) {
       break;
   }
   std::vector<std::string> terms;
+  terms.reserve(kPredictedKinds);
   for (const PathKind kind : kEveryPathKind) {
     terms.emplace_back(path_kind_name(kind));
   }

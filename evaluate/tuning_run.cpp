@@ -104,13 +104,14 @@ std::map<std::string, double> usual_energies(const std::vector<PlanRun>& plans) 
 double driven_loss(TuningUnderWay& running, GridObjective form, const WeightShares& weights,
                    const std::map<std::string, double>& usual) {
   const Tuning& tuning = running.tuning;
-  const TunedMethod method{fmt::format("{} {:g} {:g} {:g}", grid_objective_name(form), weights[0],
-                                       weights[1], weights[2]),
-                           planner_with(tuning, cost_with(form, weights))};
+  const TunedMethod method{
+      fmt::format("{} {} {} {}", grid_objective_name(form), weights[0], weights[1], weights[2]),
+      planner_with(tuning, cost_with(form, weights))};
   const auto what = fmt::format("drives for {} weights", grid_objective_name(form));
+  // Named after the weights: another program may search in the same store at the same time.
+  const std::string name = fmt::format("{}: search, {}", tuning.name, method.label);
   const std::vector<PlanRun> plans =
-      drive(running, what, sweep_by(tuning.training, tuning.name + ": search", {method}),
-            running.result.search);
+      drive(running, what, sweep_by(tuning.training, name, {method}), running.result.search);
   double sum = 0.0;
   int counted = 0;
   for (const PlanRun& plan : plans) {
