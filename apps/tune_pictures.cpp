@@ -48,8 +48,8 @@ void add_saving_chart(const Tuning& tuning, const TuneResult& result,
   for (const MethodFigures& figures : result.figures) {
     const Saving* saving = energy_saving(figures, methods::kRows);
     if (saving == nullptr || saving->blocks == 0) continue;
-    bars.push_back(
-        {figures.method, 100.0 * saving->ratio.mean, 100.0 * saving->ratio.ci95.value_or(0.0)});
+    SavingBar& bar = bars.emplace_back(SavingBar{figures.method, 100.0 * saving->ratio.mean, {}});
+    if (saving->ratio.ci95) bar.ci95_percent = 100.0 * *saving->ratio.ci95;
   }
   if (bars.empty()) return;
   add_chart("savings",

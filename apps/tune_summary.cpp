@@ -63,23 +63,23 @@ std::string prediction_table(const TuneResult& result) {
 std::string saving_text(const MethodFigures& figures, std::string_view reference) {
   const Saving* saving = energy_saving(figures, reference);
   if (saving == nullptr || saving->blocks == 0) return "";
-  return fmt::format("{:+.1f} ±{:.1f} p {:.2g}", 100.0 * saving->ratio.mean,
-                     100.0 * saving->ratio.ci95.value_or(0.0), saving->test.p);
+  const std::optional<double>& ci95 = saving->ratio.ci95;
+  return fmt::format("{:+.1f} ±{} p {:.2g}", 100.0 * saving->ratio.mean,
+                     ci95 ? fmt::format("{:.1f}", 100.0 * *ci95) : "-", saving->test.p);
 }
 
 std::string methods_table(const TuneResult& result) {
   std::vector<Row> rows = {{"held-out fields", "driven", "Wh", "Wh/ha", "min", "dSOC %", "cover %",
                             "saves % over rows", "over Wu et al.", "over Wang et al."}};
   for (const MethodFigures& figures : result.figures) {
-    rows.push_back({figures.method,
-                    fmt::format("{}/{}", figures.runs - figures.faults, figures.runs),
-                    fmt::format("{:.1f}", figures.mean.energy_wh),
-                    fmt::format("{:.0f}", figures.mean.energy_wh_per_ha),
-                    fmt::format("{:.1f}", figures.mean.time_s / 60.0),
-                    fmt::format("{:.2f}", 100.0 * figures.mean.delta_soc),
-                    fmt::format("{:.1f}", 100.0 * figures.mean.coverage_ratio),
-                    saving_text(figures, methods::kRows), saving_text(figures, methods::kWu),
-                    saving_text(figures, methods::kWang)});
+    rows.push_back(
+        {figures.method, fmt::format("{}/{}", figures.runs - figures.faults, figures.runs),
+         figure(figures.mean.energy_wh, "{:.1f}"), figure(figures.mean.energy_wh_per_ha, "{:.0f}"),
+         figure(figures.mean.time_s / 60.0, "{:.1f}"),
+         figure(100.0 * figures.mean.delta_soc, "{:.2f}"),
+         figure(100.0 * figures.mean.coverage_ratio, "{:.1f}"),
+         saving_text(figures, methods::kRows), saving_text(figures, methods::kWu),
+         saving_text(figures, methods::kWang)});
   }
   return aligned(rows);
 }

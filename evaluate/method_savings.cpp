@@ -1,10 +1,13 @@
 #include "evaluate/method_savings.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace headland {
 namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 using ByBlock = std::map<std::string, const PlanRun*>;
 
@@ -22,7 +25,10 @@ Saving saving_of(const SavedQuantity& quantity, const ByBlock& method, const ByB
     ratios.push_back(1.0 - first.back() / second.back());
   }
   saving.blocks = static_cast<int>(ratios.size());
-  if (ratios.empty()) return saving;
+  if (ratios.empty()) {
+    saving.ratio.mean = kUnknown;
+    return saving;
+  }
   saving.ratio = estimate_of(ratios);
   saving.test = wilcoxon_test(first, second);
   return saving;
@@ -35,6 +41,13 @@ void add_to_mean(const PlanRun& plan, MethodFigures& figures) {
     add(figures.mean.*quantity.value, plan.*quantity.value);
   }
   add(figures.mean.coverage_ratio, plan.coverage_ratio);
+}
+
+void forget_mean(MethodFigures& figures) {
+  for (const SavedQuantity& quantity : saved_quantities()) {
+    figures.mean.*quantity.value = kUnknown;
+  }
+  figures.mean.coverage_ratio = kUnknown;
 }
 
 }  // namespace
@@ -69,6 +82,7 @@ std::vector<MethodFigures> method_figures(const std::vector<PlanRun>& plans,
     if (found->faults++ == 0) found->first_fault = plan.block + ": " + plan.fault;
   }
   for (MethodFigures& figures : all) {
+    if (figures.runs == figures.faults) forget_mean(figures);
     for (const std::string& reference : references) {
       if (reference == figures.method || !driven.contains(reference)) continue;
       MethodSavings& over = figures.over.emplace_back();

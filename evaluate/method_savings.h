@@ -19,7 +19,7 @@ struct SavedQuantity {
 const std::vector<SavedQuantity>& saved_quantities();  // the energy first
 
 // Of the blocks where both methods were driven to the end: 1 - method / reference, 0.1 for a tenth
-// less. `test` is on the quantity itself, two-sided.
+// less, NaN without such blocks. `test` is on the quantity itself, two-sided.
 struct Saving {
   std::string_view quantity;
   int blocks = 0;
@@ -37,7 +37,7 @@ struct MethodFigures {
   int runs = 0;
   int faults = 0;           // not driven to the end
   std::string first_fault;  // why
-  PlanRun mean;             // of those that were
+  PlanRun mean;             // of those that were; NaN without one
   std::vector<MethodSavings> over;
 };
 

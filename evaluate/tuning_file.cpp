@@ -48,10 +48,15 @@ Json form_json(const FormReport& report) {
 }
 
 Json saving_json(const Saving& saving) {
-  return {{"quantity", saving.quantity},     {"blocks", saving.blocks},
-          {"mean_ratio", saving.ratio.mean}, {"ci95_ratio", saving.ratio.ci95.value_or(0.0)},
-          {"wins", saving.test.wins},        {"losses", saving.test.losses},
-          {"ties", saving.test.ties},        {"p", saving.test.p},
+  const std::optional<double>& ci95 = saving.ratio.ci95;
+  return {{"quantity", saving.quantity},
+          {"blocks", saving.blocks},
+          {"mean_ratio", number(saving.ratio.mean)},
+          {"ci95_ratio", ci95 ? Json(*ci95) : Json(nullptr)},
+          {"wins", saving.test.wins},
+          {"losses", saving.test.losses},
+          {"ties", saving.test.ties},
+          {"p", saving.test.p},
           {"least_p", saving.test.least_p}};
 }
 
@@ -62,9 +67,9 @@ Json figures_json(const MethodFigures& figures) {
   json["without_figures"] = figures.faults;
   if (figures.faults > 0) json["why"] = figures.first_fault;
   for (const SavedQuantity& quantity : saved_quantities()) {
-    json["mean"][std::string(quantity.key)] = figures.mean.*quantity.value;
+    json["mean"][std::string(quantity.key)] = number(figures.mean.*quantity.value);
   }
-  json["mean"]["coverage_ratio"] = figures.mean.coverage_ratio;
+  json["mean"]["coverage_ratio"] = number(figures.mean.coverage_ratio);
   for (const MethodSavings& over : figures.over) {
     Json savings = Json::array();
     for (const Saving& saving : over.savings) savings.push_back(saving_json(saving));

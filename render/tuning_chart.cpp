@@ -42,7 +42,9 @@ std::string saving_chart_script(const std::string& title, const std::vector<Savi
   // From the top down.
   for (std::size_t i = 0; i < bars.size(); ++i) {
     const std::size_t y = bars.size() - 1 - i;
-    data += fmt::format("{} {:.6g} {:.6g}\n", y, bars[i].percent, bars[i].ci95_percent);
+    const std::optional<double>& ci95 = bars[i].ci95_percent;
+    data += fmt::format("{} {:.6g} {}\n", y, bars[i].percent,
+                        ci95 ? fmt::format("{:.6g}", *ci95) : "NaN");
     names += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_text(bars[i].label), y);
   }
   return data + "EOD\n" +
@@ -51,7 +53,8 @@ std::string saving_chart_script(const std::string& title, const std::vector<Savi
              "set border 3\nset tics nomirror\nunset key\nset ytics ({})\n"
              "set yrange [-0.6:{}]\nset xlabel 'energy saved [%], mean and 95 % interval'\n"
              "set arrow from 0, graph 0 to 0, graph 1 nohead lw 1.5 lc rgb '#444444'\n"
-             "plot $savings using 2:1:3 with xerrorbars pt 7 ps 1 lw 2 lc rgb '#0072b2'\n",
+             "plot $savings using 2:1 with points pt 7 ps 1 lc rgb '#0072b2', "
+             "$savings using 2:1:3 with xerrorbars pt 7 ps 1 lw 2 lc rgb '#0072b2'\n",
              gnuplot_text(title), names, static_cast<double>(bars.size()) - 0.4);
 }
 

@@ -1,6 +1,7 @@
 // What energy models tell of plans against what the plans took, and what methods save.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,7 +16,7 @@ struct PredictionPanel {
 struct SavingBar {
   std::string label;
   double percent = 0.0;
-  double ci95_percent = 0.0;  // half width
+  std::optional<double> ci95_percent;  // half width; none is drawn where it is not known
 };
 
 // Scripts for chart_of (render/gnuplot.h). Lists are not empty.

@@ -233,7 +233,10 @@ TEST(MethodSavingsTest, PairsPlansOfTheSameField) {
   EXPECT_NEAR(figures[1].mean.energy_wh, 108.0, kFitError);
   EXPECT_EQ(figures[2].faults, 1);
   EXPECT_EQ(figures[2].first_fault, "0: stuck: slip");
+  EXPECT_TRUE(std::isnan(figures[2].mean.energy_wh));
+  EXPECT_TRUE(std::isnan(figures[2].mean.coverage_ratio));
   EXPECT_EQ(energy_saving(figures[2], "rows")->blocks, 0);
+  EXPECT_TRUE(std::isnan(energy_saving(figures[2], "rows")->ratio.mean));
 }
 
 // A bowl with its bottom at shares of 0.2, 0.5, 0.3.
