@@ -16,10 +16,13 @@ double drawn_weight(SeededRandom& random) {
 }
 
 GridCost drawn_cost(int variation, SeededRandom& random) {
+  // The last two have no weights: once more by them would be the same plan once more.
   constexpr GridObjective kTurns[] = {GridObjective::kWeighted, GridObjective::kTractor,
                                       GridObjective::kMeasured, GridObjective::kLength};
+  constexpr int kAll = 4;
+  constexpr int kWithWeights = 2;
   GridCost cost;
-  cost.objective = kTurns[variation % 4];
+  cost.objective = kTurns[variation < kAll ? variation : variation % kWithWeights];
   for (double* weight :
        {&cost.weights.repeat, &cost.weights.turn, &cost.weights.u_turn, &cost.tractor.length_weight,
         &cost.tractor.height_weight, &cost.tractor.turn_weight}) {

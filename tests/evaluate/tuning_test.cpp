@@ -1,10 +1,13 @@
 #include "evaluate/tuning.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 #include "evaluate/plan_scenario.h"
 #include "evaluate/tuned_weights.h"
@@ -82,6 +85,58 @@ TEST_F(TuningTest, EveryKeyIsDocumented) {
   }
 }
 
+// More of them would count one plan several times.
+TEST_F(TuningTest, TrainsOnceByWhatHasNoWeights) {
+  Tuning tuning = read_tuning(written("tune.yaml", kHead + kTraining + kHeldOut));
+  const std::vector<TunedMethod> few = training_methods(tuning);
+  tuning.variations = 10;
+  const std::vector<TunedMethod> methods = training_methods(tuning);
+  ASSERT_THAT(methods, SizeIs(11));
+  std::map<GridObjective, int> times;
+  for (const TunedMethod& method : methods) ++times[method.planner.grid->cost.objective];
+  EXPECT_EQ(times[GridObjective::kLength], 1);
+  EXPECT_EQ(times[GridObjective::kMeasured], 1);
+  EXPECT_EQ(times[GridObjective::kWeighted] + times[GridObjective::kTractor], 9);
+  for (std::size_t i = 0; i < few.size(); ++i) {
+    const GridCost& one = few[i].planner.grid->cost;
+    const GridCost& other = methods[i].planner.grid->cost;
+    EXPECT_EQ(one.objective, other.objective);
+    EXPECT_EQ(one.weights.turn, other.weights.turn);
+    EXPECT_EQ(one.tractor.turn_weight, other.tractor.turn_weight);
+  }
+}
+
+TEST_F(TuningTest, TakesNoEnergyForOneThatIsNone) {
+  const Tuning tuning = read_tuning(written("tune.yaml", kHead + kTraining + kHeldOut));
+  const Sweep sweep = sweep_by(tuning.training, "made up", training_methods(tuning));
+  RunStore store;
+  open_run_store(path("runs.db"), DatabaseMode::kWrite, store);
+  const std::vector<double> energies_wh = {7.0, 0.0, std::nan(""), -1.0, 5.0};
+  std::vector<SweepCell> cells;
+  for (std::size_t place = 0; place < energies_wh.size(); ++place) {
+    cells.push_back(cell_at(sweep, place));
+    cells.back().key = fmt::format("{}", place);
+    StoredRun stored{cells.back().key, "", {}};
+    stored.run.end = RunEnd::kDriven;
+    stored.run.outcome = Outcome::kFinished;
+    stored.run.figures.assign(run_figure_keys().size(), 1.0);
+    stored.run.figures[run_figure_place("energy_wh")] = energies_wh[place];
+    stored.run.figures[run_figure_place("grid_jumps")] = 0.0;
+    keep_run(store, stored);
+  }
+  keep_cells(store, sweep.name, cells);
+  // A row that is not there moves no other one.
+  execute(store.database, "DELETE FROM cells WHERE place = 0");
+  const std::vector<PlanRun> plans = plan_runs(sweep, store);
+  ASSERT_THAT(plans, SizeIs(4));
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    EXPECT_EQ(plans[i].place, i + 1);
+    EXPECT_EQ(plans[i].method, cells[i + 1].planner);
+    EXPECT_EQ(plans[i].fault, i < 3 ? "its energy is no positive number" : "");
+  }
+  EXPECT_THAT(fit_plans(plans), SizeIs(1));
+}
+
 // Drives a tiny tuning, and again with the same store, which drives nothing.
 TEST_F(TuningTest, FitsAndProvesAndGoesOnWhereItWas) {
   const Tuning tuning = read_tuning(written("tune.yaml", kHead + kTraining + kHeldOut));
@@ -102,6 +157,12 @@ TEST_F(TuningTest, FitsAndProvesAndGoesOnWhereItWas) {
   ASSERT_NE(saving, nullptr);
   EXPECT_EQ(saving->blocks, 1);
   for (const PlanRun& plan : result.held_out_plans) EXPECT_GT(plan.predicted_wh, 0.0);
+
+  // One field tells no interval.
+  const auto json = tuning_json(tuning, result, "1");
+  const auto& told = json["methods"][5]["saves_over"][std::string(methods::kRows)][0];
+  EXPECT_TRUE(told["ci95_ratio"].is_null()) << told;
+  EXPECT_TRUE(told["mean_ratio"].is_number()) << told;
 
   const TuneResult again = run_tuning(tuning, store, {});
   EXPECT_EQ(again.training.driven_now + again.held_out.driven_now, 0);
