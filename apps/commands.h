@@ -72,6 +72,9 @@ Job make_job(const std::filesystem::path& file, const std::filesystem::path& fol
 inline constexpr PictureSize kLeastPicture{640, 400};  // the legend has no room on smaller ones
 PictureSize picture_size(const CommonOptions& options, const PictureSize& least = kLeastPicture);
 
+// "90", "90.5", "1:30" or "1:02:30", given to this option, as seconds. Throws InputError.
+double time_from(const std::string& option, const std::string& text);
+
 // Drives the job's path with progress on the terminal.
 DriveResult drive_with_progress(const Job& job, const CommonOptions& options);
 

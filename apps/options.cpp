@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -109,6 +110,31 @@ PictureSize picture_size(const CommonOptions& options, const PictureSize& least)
                                  least.height, kMostPixels, kMostPixels));
   }
   return size;
+}
+
+double time_from(const std::string& option, const std::string& text) {
+  double total_s = 0.0;
+  std::size_t at = 0;
+  for (int parts = 1;; ++parts) {
+    const std::size_t colon = std::min(text.find(':', at), text.size());
+    const std::string part = text.substr(at, colon - at);
+    std::size_t read = 0;
+    double value = -1.0;
+    const bool plain = !part.empty() && part.find_first_not_of("0123456789.") == std::string::npos;
+    try {
+      if (plain) value = std::stod(part, &read);
+    } catch (const std::exception&) {
+      value = -1.0;
+    }
+    const bool whole = parts == 1 && colon == text.size();
+    if (read != part.size() || !(value >= 0.0) || parts > 3 ||
+        (!whole && at > 0 && value >= 60.0)) {
+      throw InputError(option, "", text, "seconds, as 90 or 90.5, or 1:30 or 1:02:30");
+    }
+    total_s = 60.0 * total_s + value;
+    if (colon == text.size()) return total_s;
+    at = colon + 1;
+  }
 }
 
 DriveResult drive_with_progress(const Job& job, const CommonOptions& options) {

@@ -32,8 +32,8 @@ struct RenderOptions {
   std::string from;
   std::string to;
   std::optional<double> speed;
-  double frames_per_s = 25.0;
-  int processes = 0;
+  std::optional<double> frames_per_s;
+  std::optional<int> processes;
 };
 
 void tell_written(const CommonOptions& options, const std::vector<std::string>& files) {
@@ -77,7 +77,7 @@ ViewRequest request_of(const RenderOptions& options) {
   ViewRequest request;
   request.view = options.view.empty() ? "map" : options.view;
   request.size = picture_size(options.common);
-  if (!options.at.empty()) request.at_s = time_from(options.at);
+  if (!options.at.empty()) request.at_s = time_from("--at", options.at);
   if (!options.overlay.empty()) request.overlay = quantity_named(options.overlay);
   request.exaggeration = options.exaggeration;
   constexpr double kMost = 1000.0;
@@ -131,9 +131,9 @@ int render_video(const RenderOptions& options) {
   request.file = options.video;
   if (!options.common.size.empty()) request.size = picture_size(options.common, kLeastVideo);
   request.speed = options.speed;
-  if (!options.from.empty()) request.from_s = time_from(options.from);
-  if (!options.to.empty()) request.to_s = time_from(options.to);
-  request.frames_per_s = options.frames_per_s;
+  if (!options.from.empty()) request.from_s = time_from("--from", options.from);
+  if (!options.to.empty()) request.to_s = time_from("--to", options.to);
+  request.frames_per_s = options.frames_per_s.value_or(request.frames_per_s);
   request.processes = options.processes;
   request.quiet = options.common.quiet || options.common.json;
   check_video_request(request);
@@ -150,8 +150,9 @@ int render_video(const RenderOptions& options) {
 
 int render(const RenderOptions& options) {
   if (!options.video.empty()) return render_video(options);
-  if (options.speed || !options.from.empty() || !options.to.empty()) {
-    throw InputError("--speed, --from, --to", "", "", "are of a --video");
+  if (options.speed || options.frames_per_s || options.processes || !options.from.empty() ||
+      !options.to.empty()) {
+    throw InputError("--from, --to, --speed, --fps, --jobs", "", "", "are of a --video");
   }
   const bool one = !options.view.empty() || !options.overlay.empty() || !options.at.empty() ||
                    !options.file.empty() || options.exaggeration;
@@ -183,8 +184,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
   command->add_option("--to", options->to, "Where it ends");
   command->add_option("--speed", options->speed,
                       "Seconds of the run in one of the video (default: a minute in all)");
-  command->add_option("--fps", options->frames_per_s, "Frames a second of the video")
-      ->capture_default_str();
+  command->add_option("--fps", options->frames_per_s, "Frames a second of the video (default: 25)");
   command->add_option("--jobs", options->processes,
                       "Processes that draw frames (default: one a processor)");
   command->add_flag("--json", options->common.json, "Print the pictures' names as JSON");

@@ -96,31 +96,6 @@ std::vector<std::string> view_names() {
   return names;
 }
 
-double time_from(const std::string& text) {
-  double total_s = 0.0;
-  std::size_t at = 0;
-  for (int parts = 1;; ++parts) {
-    const std::size_t colon = std::min(text.find(':', at), text.size());
-    const std::string part = text.substr(at, colon - at);
-    std::size_t read = 0;
-    double value = -1.0;
-    const bool plain = !part.empty() && part.find_first_not_of("0123456789.") == std::string::npos;
-    try {
-      if (plain) value = std::stod(part, &read);
-    } catch (const std::exception&) {
-      value = -1.0;
-    }
-    const bool whole = parts == 1 && colon == text.size();
-    if (read != part.size() || !(value >= 0.0) || parts > 3 ||
-        (!whole && at > 0 && value >= 60.0)) {
-      throw InputError("--at", "", text, "seconds, as 90 or 90.5, or 1:30 or 1:02:30");
-    }
-    total_s = 60.0 * total_s + value;
-    if (colon == text.size()) return total_s;
-    at = colon + 1;
-  }
-}
-
 MomentScene::MomentScene(const Job& job, const RecordedRun& recorded,
                          std::optional<double> moment_s)
     : run(moment_s ? run_until(recorded.run, *moment_s) : recorded.run),

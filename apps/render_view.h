@@ -27,9 +27,6 @@ Image draw_requested(const Job& job, const RecordedRun& recorded, const ViewRequ
 // The names of the views, for messages and help.
 std::vector<std::string> view_names();
 
-// "90", "90.5", "1:30" or "1:02:30" as seconds. Throws InputError.
-double time_from(const std::string& text);
-
 // The run up to a moment, with its coverage, as a scene for the pictures.
 struct MomentScene {
   MomentScene(const Job& job, const RecordedRun& recorded, std::optional<double> moment_s);

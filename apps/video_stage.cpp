@@ -36,7 +36,11 @@ Times times_of(const RunRecord& run, const VideoRequest& request) {
   const double first_s = run.samples.front().time_s;
   const double last_s = run.samples.back().time_s;
   times.from_s = request.from_s.value_or(first_s);
-  times.to_s = std::min(request.to_s.value_or(last_s), last_s);
+  times.to_s = request.to_s.value_or(last_s);
+  if (times.to_s > last_s) {
+    throw InputError("--to", "", fmt::format("{:g} s", times.to_s),
+                     fmt::format("the run ends after {:.1f} s", last_s));
+  }
   if (!(times.from_s <= times.to_s)) {
     throw InputError("--from", "", fmt::format("{:g} s", times.from_s),
                      fmt::format("before --to and the run's end at {:.1f} s", last_s));
@@ -72,8 +76,8 @@ void check_video_request(const VideoRequest& request) {
   if (!(request.frames_per_s >= 1.0 && request.frames_per_s <= 60.0)) {
     refuse("--fps", request.frames_per_s, "from 1 to 60");
   }
-  if (request.processes < 0 || request.processes > 64) {
-    refuse("--jobs", request.processes, "from 1 to 64");
+  if (request.processes && (*request.processes < 1 || *request.processes > 64)) {
+    refuse("--jobs", *request.processes, "from 1 to 64");
   }
   const std::filesystem::path folder = std::filesystem::absolute(request.file).parent_path();
   if (std::error_code ignored; !std::filesystem::is_directory(folder, ignored)) {
@@ -84,7 +88,7 @@ void check_video_request(const VideoRequest& request) {
   require_ffmpeg();
 }
 
-VideoFigures video_stage(const Job& job, const RecordedRun& recorded, const VideoRequest& request) {
+void video_stage(const Job& job, const RecordedRun& recorded, const VideoRequest& request) {
   const Times times = times_of(recorded.run, request);
   stop_if_interrupted();
   const BrokenPipesIgnored ignored;
@@ -100,7 +104,7 @@ VideoFigures video_stage(const Job& job, const RecordedRun& recorded, const Vide
     };
   };
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int processes = std::min(request.processes > 0 ? request.processes : cores, times.frames);
+  const int processes = std::min(request.processes.value_or(cores), times.frames);
   FrameWorkers workers(times.frames, processes, begin);
   VideoEncoder encoder(request.file, request.size, request.frames_per_s);
   ProgressLine line = start_progress(request.quiet);
@@ -119,7 +123,6 @@ VideoFigures video_stage(const Job& job, const RecordedRun& recorded, const Vide
     throw;
   }
   end_progress(line);
-  return {times.frames, times.speed};
 }
 
 }  // namespace headland

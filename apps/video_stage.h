@@ -15,13 +15,8 @@ struct VideoRequest {
   std::optional<double> from_s;
   std::optional<double> to_s;
   double frames_per_s = 25.0;
-  int processes = 0;  // 0: as many as there are processors
+  std::optional<int> processes;  // that draw frames; none: as many as there are processors
   bool quiet = false;
-};
-
-struct VideoFigures {
-  int frames = 0;
-  double speed = 1.0;
 };
 
 // Throws InputError for what makes no video of any run (size, speed, frames a second, processes),
@@ -30,6 +25,6 @@ void check_video_request(const VideoRequest& request);
 
 // Takes a request that was checked. Throws InputError for times the run does not have, and
 // Interrupted after Ctrl-C. What does not come to its end leaves no file.
-VideoFigures video_stage(const Job& job, const RecordedRun& recorded, const VideoRequest& request);
+void video_stage(const Job& job, const RecordedRun& recorded, const VideoRequest& request);
 
 }  // namespace headland

@@ -65,7 +65,8 @@ TEST_F(RenderTest, RefusesWhatItCannotDraw) {
               HasSubstr("--overlay: 'mood': one of power, energy_per_metre, slip"));
   EXPECT_THAT(refused("--at 99:00:00"), HasSubstr("the run ends after"));
   for (const char* time : {"soon", "1:75", "-5", "1:2:3:4", "1::2", "1e9", "."}) {
-    EXPECT_THAT(refused(std::string("--at=") + time), HasSubstr("seconds, as 90 or 90.5, or 1:30"))
+    EXPECT_THAT(refused(std::string("--at=") + time),
+                HasSubstr("--at: '" + std::string(time) + "': seconds, as 90 or 90.5, or 1:30"))
         << time;
   }
   EXPECT_THAT(refused("--view elevation --exaggeration 0.5"), HasSubstr("from 1 to 1000"));
@@ -108,7 +109,17 @@ TEST_F(RenderTest, RefusesVideosItCannotMake) {
   EXPECT_THAT(refused("--video A/run.mp4 --fps 500"), HasSubstr("from 1 to 60"));
   EXPECT_THAT(refused("--video A/run.mp4 --from 20 --to 10"), HasSubstr("before --to"));
   EXPECT_THAT(refused("--video A/run.mp4 --view map"), HasSubstr("takes none of --view"));
-  EXPECT_THAT(refused("--speed 3"), HasSubstr("are of a --video"));
+  for (const char* jobs : {"0", "-1", "65"}) {
+    EXPECT_THAT(refused(std::string("--video A/run.mp4 --jobs=") + jobs),
+                HasSubstr("--jobs: '" + std::string(jobs) + "': from 1 to 64"));
+  }
+  EXPECT_THAT(refused("--video A/run.mp4 --from soon"), HasSubstr("--from: 'soon': seconds, as"));
+  EXPECT_THAT(refused("--video A/run.mp4 --to 1:75"), HasSubstr("--to: '1:75': seconds, as"));
+  EXPECT_THAT(refused("--video A/run.mp4 --to 99:00:00"),
+              HasSubstr("--to: '356400 s': the run ends after"));
+  for (const char* option : {"--from 1", "--to 1", "--speed 3", "--fps 10", "--jobs 2"}) {
+    EXPECT_THAT(refused(option), HasSubstr("are of a --video")) << option;
+  }
   EXPECT_THAT(refused("--video A/run.mp4", "PATH=/nowhere"),
               HasSubstr("ffmpeg: is not installed; it writes videos (Debian: ffmpeg)"));
   EXPECT_THAT(refused("--video nowhere/deep/run.mp4 --to 1"),
