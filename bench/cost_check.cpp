@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <numeric>
 
 #include "bench/figures.h"
 #include "evaluate/measure.h"
@@ -119,21 +118,6 @@ void measure_vehicle(const Scratch& scratch, const std::string& name) {
   std::ofstream(scratch.folder / (name + ".yaml")) << cost_table_yaml(table);
 }
 
-double correlation(const std::vector<double>& one, const std::vector<double>& other) {
-  const double n = static_cast<double>(one.size());
-  const double mean = std::accumulate(one.begin(), one.end(), 0.0) / n;
-  const double other_mean = std::accumulate(other.begin(), other.end(), 0.0) / n;
-  double both = 0.0;
-  double squares = 0.0;
-  double other_squares = 0.0;
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    both += (one[i] - mean) * (other[i] - other_mean);
-    squares += (one[i] - mean) * (one[i] - mean);
-    other_squares += (other[i] - other_mean) * (other[i] - other_mean);
-  }
-  return both / std::sqrt(squares * other_squares);
-}
-
 void add_summary(const std::string& name, const std::vector<Pair>& pairs, int others,
                  std::vector<Figure>& figures) {
   std::vector<double> predicted;
@@ -154,8 +138,7 @@ void add_summary(const std::string& name, const std::vector<Pair>& pairs, int ot
   figures.push_back({name + ": mean absolute error", 100.0 * sum / n, "%", "<= 3"});
   figures.push_back({name + ": mean error", 100.0 * bias / n, "%", ""});
   figures.push_back({name + ": worst error", 100.0 * worst, "%", ""});
-  figures.push_back(
-      {name + ": Spearman", correlation(ranks_of(predicted), ranks_of(driven)), "", ">= 0.95"});
+  figures.push_back({name + ": Spearman", spearman(predicted, driven), "", ">= 0.95"});
 }
 
 void check(bool quick, bool as_json) {

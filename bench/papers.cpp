@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <numeric>
 
 #include "bench/figures.h"
 #include "bench/paper_rows.h"
@@ -194,21 +193,6 @@ std::vector<Driven> driven(const Sweep& sweep, RunStore& store, int jobs) {
     }
   }
   return all;
-}
-
-double spearman(const std::vector<double>& one, const std::vector<double>& other) {
-  const std::vector<double> x = ranks_of(one);
-  const std::vector<double> y = ranks_of(other);
-  const double middle = 0.5 * (static_cast<double>(x.size()) + 1.0);
-  double both = 0.0;
-  double squares_x = 0.0;
-  double squares_y = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    both += (x[i] - middle) * (y[i] - middle);
-    squares_x += (x[i] - middle) * (x[i] - middle);
-    squares_y += (y[i] - middle) * (y[i] - middle);
-  }
-  return both / std::sqrt(squares_x * squares_y);
 }
 
 // Of the planners that the paper has figures of, its ranking against that of driven energy.

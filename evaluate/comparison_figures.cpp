@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "evaluate/rank_tests.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -119,7 +120,7 @@ std::optional<Spread> spread_of(const ComparedFigure& figure,
   for (const double value : values) squares += (value - spread.mean) * (value - spread.mean);
   if (values.size() > 1) spread.deviation = std::sqrt(squares / (n - 1.0));
   std::ranges::sort(values);
-  spread.median = (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2.0;
+  spread.median = median(values);
   spread.best = figure.more_is_better ? values.back() : values.front();
   spread.worst = figure.more_is_better ? values.front() : values.back();
   return spread;

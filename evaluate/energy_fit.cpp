@@ -88,19 +88,6 @@ void fit_printed(const std::vector<PlanRun>& plans, const Rows& rows, EnergyFit&
   if (base) fit.printed_cell_wh = printed(1);
 }
 
-double correlation(const std::vector<double>& one, const std::vector<double>& other) {
-  const Eigen::Map<const Eigen::ArrayXd> x(one.data(), static_cast<Eigen::Index>(one.size()));
-  const Eigen::Map<const Eigen::ArrayXd> y(other.data(), static_cast<Eigen::Index>(other.size()));
-  const Eigen::ArrayXd dx = x - x.mean();
-  const Eigen::ArrayXd dy = y - y.mean();
-  const double squares = dx.square().sum() * dy.square().sum();
-  return squares > 0.0 ? (dx * dy).sum() / std::sqrt(squares) : kUnknown;
-}
-
-double spearman(const std::vector<double>& one, const std::vector<double>& other) {
-  return one.size() < 2 ? kUnknown : correlation(ranks_of(one), ranks_of(other));
-}
-
 }  // namespace
 
 std::vector<PlanRun> fit_plans(const std::vector<PlanRun>& plans) {

@@ -4,6 +4,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
+#include <boost/math/statistics/bivariate_statistics.hpp>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -44,14 +45,6 @@ double rounding_step(std::span<const double> first, std::span<const double> seco
   }
   constexpr double kDigits = 11.0;
   return largest > 0.0 ? std::pow(10.0, std::floor(std::log10(largest)) - kDigits) : 1.0;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  if (values.size() % 2 == 1) return values[half];
-  return 0.5 * (values[half - 1] + values[half]);
 }
 
 // Two-sided p of a rank sum as small as `smaller` when each of the ranks belongs to either side
@@ -101,6 +94,24 @@ std::vector<double> ranks_of(std::span<const double> figures) {
     first = end;
   }
   return ranks;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  if (values.size() % 2 == 1) return values[half];
+  return 0.5 * (values[half - 1] + values[half]);
+}
+
+double spearman(std::span<const double> first, std::span<const double> second) {
+  const auto says_nothing = [](std::span<const double> figures) {
+    return std::ranges::count(figures, figures.front()) == std::ssize(figures);
+  };
+  if (first.empty() || says_nothing(first) || says_nothing(second)) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return boost::math::statistics::correlation_coefficient(ranks_of(first), ranks_of(second));
 }
 
 std::vector<double> average_ranks(const Blocks& blocks) {

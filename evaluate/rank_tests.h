@@ -16,6 +16,13 @@ using Blocks = std::vector<std::vector<double>>;
 // 1 for the smallest; equal figures share the mean of their ranks.
 std::vector<double> ranks_of(std::span<const double> figures);
 
+// Spearman's rank correlation, -1 to 1, of as many figures of each; NaN where all figures of one
+// are equal or there are fewer than two.
+double spearman(std::span<const double> first, std::span<const double> second);
+
+// NaN of none.
+double median(std::vector<double> values);
+
 // Mean of the methods' ranks over the blocks.
 std::vector<double> average_ranks(const Blocks& blocks);
 

@@ -95,7 +95,7 @@ double longest_interval_s(const std::vector<double>& times_s) {
   for (std::size_t i = 1; i < times_s.size(); ++i) {
     if (times_s[i] > times_s[i - 1]) intervals_s.push_back(times_s[i] - times_s[i - 1]);
   }
-  return intervals_s.empty() ? 0.0 : kLogGapFactor * median(std::move(intervals_s));
+  return intervals_s.empty() ? 0.0 : kLogGapFactor * upper_median(std::move(intervals_s));
 }
 
 // Whether the implement is down; refuses words that do not tell.
@@ -154,7 +154,7 @@ void append_lines(const OGRGeometry& geometry, bool down, std::size_t& count, Gi
 
 }  // namespace
 
-double median(std::vector<double> values) {
+double upper_median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
   return *middle;

@@ -37,6 +37,6 @@ GivenTrack track_from_vector_file(const std::filesystem::path& file, const GeoFr
 GivenTrack track_from_task_data(const std::filesystem::path& file, const Field& field);
 
 // The middle value, of two the greater. At least one value.
-double median(std::vector<double> values);
+double upper_median(std::vector<double> values);
 
 }  // namespace headland

@@ -96,7 +96,7 @@ double longest_step_m(const GivenTrack& given, const std::vector<Eigen::Vector2d
       steps_m.push_back(step_m);
     }
   }
-  return steps_m.empty() ? 0.0 : kLogGapFactor * median(std::move(steps_m));
+  return steps_m.empty() ? 0.0 : kLogGapFactor * upper_median(std::move(steps_m));
 }
 
 // The direction of a step; none where it is too short to have one.

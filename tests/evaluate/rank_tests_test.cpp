@@ -42,6 +42,29 @@ TEST(RankTests, AverageRanksAreThoseOfDemsar) {
               Pointwise(DoubleNear(kRounded3), {3.143, 2.000, 2.893, 1.964}));
 }
 
+// 1 - 6 sum d^2 / (n (n^2 - 1)) without ties.
+TEST(RankTests, SpearmanIsThatOfTheDifferences) {
+  const std::vector<double> figures = {1.0, 20.0, 3.0, 400.0, 5.0};
+  const std::vector<double> others = {2.0, 1.0, 3.0, 5.0, 4.0};
+  EXPECT_NEAR(spearman(figures, others), 1.0 - 6.0 * (1.0 + 9.0 + 1.0 + 0.0 + 1.0) / 120.0, kExact);
+  std::vector<double> against;
+  for (const double figure : figures) against.push_back(-figure);
+  EXPECT_NEAR(spearman(figures, figures), 1.0, kExact);
+  EXPECT_NEAR(spearman(figures, against), -1.0, kExact);
+  // Ranks 1.5, 1.5, 3 and 1, 2, 3: 1.5 / sqrt(1.5 * 2).
+  EXPECT_NEAR(spearman(std::vector{1.0, 1.0, 7.0}, std::vector{1.0, 2.0, 3.0}), std::sqrt(0.75),
+              kExact);
+  EXPECT_TRUE(std::isnan(spearman(std::vector{1.0, 1.0, 1.0}, std::vector{1.0, 2.0, 3.0})));
+  EXPECT_TRUE(std::isnan(spearman(std::vector{1.0}, std::vector{1.0})));
+  EXPECT_TRUE(std::isnan(spearman({}, {})));
+}
+
+TEST(RankTests, MedianIsInTheMiddle) {
+  EXPECT_EQ(median({5.0, 1.0, 2.0}), 2.0);
+  EXPECT_EQ(median({5.0, 1.0, 2.0, 3.0}), 2.5);
+  EXPECT_TRUE(std::isnan(median({})));
+}
+
 TEST(RankTests, FriedmanIsThatOfDemsarButForHisTies) {
   const FriedmanTest test = friedman_test(demsar_table_6());
   // He leaves ties uncorrected: three pairs and one row of four.
