@@ -68,10 +68,11 @@ void refuse_unfittable(GridObjective form, const Eigen::MatrixXd& terms,
       terms.col(std::find(names.begin(), names.end(), alike.front()) - names.begin()).norm() == 0.0;
   throw InputError(
       source, "training", fmt::format("{}", fmt::join(alike, ", ")),
-      fmt::format("{} of {} in the driven plans; other fields, terrains or plans tell them apart, "
-                  "or leave {} out of forms",
-                  never ? "do not occur" : "cannot be told apart as terms",
-                  grid_objective_name(form), grid_objective_name(form)));
+      fmt::format(
+          "{0}, so that {1} cannot be fitted; other fields, terrains or plans help, or leave "
+          "{1} out of forms",
+          never ? "in no driven plan" : "not told apart by the driven plans",
+          grid_objective_name(form)));
 }
 
 void fit_printed(const std::vector<PlanRun>& plans, const Rows& rows, EnergyFit& fit) {

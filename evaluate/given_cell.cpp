@@ -17,6 +17,12 @@ constexpr std::array<std::pair<std::string_view, MapCorner>, 4> kCorners = {
      {"south_west", MapCorner::kSouthWest},
      {"south_east", MapCorner::kSouthEast}}};
 
+std::string_view corner_name(MapCorner corner) {
+  const auto* found = std::find_if(kCorners.begin(), kCorners.end(),
+                                   [&](const auto& named) { return named.second == corner; });
+  return found->first;
+}
+
 }  // namespace
 
 std::optional<GridCell> cell_of(const std::optional<GivenCell>& given, const GridMap& map) {
@@ -41,12 +47,6 @@ std::optional<MapCorner> corner_named(std::string_view name) {
     if (known == name) return corner;
   }
   return std::nullopt;
-}
-
-std::string_view corner_name(MapCorner corner) {
-  const auto* found = std::find_if(kCorners.begin(), kCorners.end(),
-                                   [&](const auto& named) { return named.second == corner; });
-  return found->first;
 }
 
 std::optional<GivenCell> read_corner(const YamlSection& section, std::string_view key) {

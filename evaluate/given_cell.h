@@ -17,7 +17,6 @@ struct FreeChoice {};  // the planner's
 using GivenCell = std::variant<FreeChoice, MapCorner, GridCell>;
 
 std::optional<MapCorner> corner_named(std::string_view name);
-std::string_view corner_name(MapCorner corner);
 
 // nullopt when the key is absent. Throws InputError for anything but [column, row], a corner or
 // `free`.

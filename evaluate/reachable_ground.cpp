@@ -127,11 +127,10 @@ std::vector<double> headings_near(const FreeSpace& space, const Vector2d& p_W, d
 class Reach {
  public:
   Reach(const CoverageRaster& raster, const Field& field, const Vehicle& vehicle,
-        double clearance_m, double overhang_m)
+        double clearance_m)
       : raster_(raster),
         space_(free_space(field, hull_of(vehicle))),
         clearance_m_(clearance_m),
-        overhang_m_(overhang_m),
         grounds_(connected_grounds(raster, space_, space_.hull.half_width_m + clearance_m)),
         main_(main_ground(grounds_, raster, field)) {
     const double half_m = space_.hull.bar_half_width_m;
@@ -161,15 +160,13 @@ class Reach {
     return std::ranges::any_of(asides_m_, [&](double aside_m) {
       const Pose pose{p_W - space_.hull.bar_x_m * ahead + aside_m * left, heading_rad};
       return ground_at(grounds_, raster_, pose.p_W + middle_m * ahead) == main_ &&
-             fits(space_, pose, clearance_m_ - kFitTolerance_m) &&
-             works_inside(space_, pose, overhang_m_);
+             fits(space_, pose, clearance_m_ - kFitTolerance_m) && works_inside(space_, pose, 0.0);
     });
   }
 
   const CoverageRaster& raster_;
   FreeSpace space_;
   double clearance_m_;
-  double overhang_m_;
   Grounds grounds_;
   int main_;
   std::vector<double> asides_m_;
@@ -178,8 +175,8 @@ class Reach {
 }  // namespace
 
 CoverageRaster reachable_part(CoverageRaster raster, const Field& field, const Vehicle& vehicle,
-                              double clearance_m, double overhang_m) {
-  const Reach reach(raster, field, vehicle, clearance_m, overhang_m);
+                              double clearance_m) {
+  const Reach reach(raster, field, vehicle, clearance_m);
   const Cells cells{raster};
   std::vector<std::uint8_t> reachable(raster.in_field.size(), 0);
   for (int row = 0; row < raster.rows; ++row) {

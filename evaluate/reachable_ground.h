@@ -9,7 +9,7 @@ namespace headland {
 
 // The raster with the cells taken out of `in_field` that the implement comes over in no pose in
 // which the chassis keeps `clearance_m` from boundary, holes and obstacles, the implement from
-// obstacles, and the implement works on the field alone but for `overhang_m` at its ends. Forwards
+// obstacles, and the implement works on the field alone. Forwards
 // and backwards such poses are all joined by drivable paths where the free poses are connected,
 // however wide the vehicle turns (Reeds and Shepp 1990), so that the turning radius does not count.
 // Connected is what a disc as wide as the vehicle can roll through from the entry, or from the
@@ -17,7 +17,7 @@ namespace headland {
 // kReachHeadings directions, along and across nearby edges, with the cell kReachStep_m apart along
 // the bar.
 CoverageRaster reachable_part(CoverageRaster raster, const Field& field, const Vehicle& vehicle,
-                              double clearance_m, double overhang_m = 0.0);
+                              double clearance_m);
 
 inline constexpr int kReachHeadings = 36;
 inline constexpr double kReachStep_m = 0.25;

@@ -42,8 +42,8 @@ Sweep read_set(const YamlSection& top, const char* name) {
   const auto section = read_section(top, name, "fields, terrains, soils and seeds");
   if (!section) {
     throw InputError(top.source, place_of(top, name), "",
-                     fmt::format("missing: weights are fitted on {}",
-                                 "the fields of training and proven on those of held_out"));
+                     "missing: weights are fitted on the fields of training and proven on those of "
+                     "held_out");
   }
   refuse_unknown_keys(*section, kSetKeys);
   if (!node_of(*section, "fields").IsDefined()) {

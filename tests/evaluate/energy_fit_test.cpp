@@ -183,10 +183,13 @@ TEST(EnergyFitTest, RefusesWhatCannotBeFitted) {
   std::vector<PlanRun> plans = made_up_plans();
   EXPECT_THAT(
       refusal([&] { fit_of(GridObjective::kTractor, plans); }),
-      HasSubstr("spec.yaml: training: 'climb': do not occur of tractor in the driven plans"));
+      HasSubstr(
+          "spec.yaml: training: 'climb': in no driven plan, so that tractor cannot be fitted; "
+          "other fields, terrains or plans help, or leave tractor out of forms"));
   for (PlanRun& plan : plans) plan.counts.turns = 2 * plan.counts.repeats;
   EXPECT_THAT(refusal([&] { fit_of(GridObjective::kWeighted, plans); }),
-              HasSubstr("'repeats, turns': cannot be told apart as terms of weighted"));
+              HasSubstr("'repeats, turns': not told apart by the driven plans, so that weighted "
+                        "cannot be fitted"));
   plans.resize(3);
   EXPECT_THAT(refusal([&] { fit_of(GridObjective::kWeighted, plans); }),
               HasSubstr("'3 driven plans': at least 4 are needed to fit weighted"));
