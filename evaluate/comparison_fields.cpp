@@ -4,10 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "evaluate/comparison_maps.h"
 #include "planner/region_generator.h"
@@ -32,29 +30,9 @@ constexpr int kMostRegionHoles = 500;
 // Of a start or an end from the field: further off is a slip of the pen.
 constexpr double kFarthestPlace_m = 1000.0;
 
-bool has_field_key(const YamlSection& section, std::string_view key) {
-  const YAML::Node node = section.node;
-  return node[std::string(key)].IsDefined();
-}
-
 void refuse_key_without(const YamlSection& section, std::string_view key, std::string_view other) {
-  if (!has_field_key(section, key) || has_field_key(section, other)) return;
+  if (!has_key(section, key) || has_key(section, other)) return;
   throw InputError(section.source, place_of(section, key), "", fmt::format("only with {}", other));
-}
-
-template <typename Word>
-Word read_one_of(const YamlSection& section, std::string_view key, Word otherwise,
-                 const std::vector<std::pair<std::string, Word>>& words) {
-  const auto given = read_word(section, key);
-  if (!given) return otherwise;
-  std::vector<std::string> names;
-  for (const auto& [name, word] : words) {
-    if (name == *given) return word;
-    names.push_back(name);
-  }
-  throw InputError(section.source, place_of(section, key), *given,
-                   fmt::format("unknown word; did you mean '{}'? (known: {})",
-                               nearest_name(*given, names), fmt::join(names, ", ")));
 }
 
 Field read_given_field(const YamlSection& section) {
@@ -138,7 +116,7 @@ PartsOptions read_parts_options(const YamlSection& section, const PartsOptions& 
   refuse_unknown_keys(*parts, kPartsKeys);
   options.width_m = read_number(*parts, "width_m", kPartsWidth).value_or(options.width_m);
   options.decomposition =
-      read_one_of<Decomposition>(*parts, "method", options.decomposition,
+      read_choice<Decomposition>(*parts, "method", options.decomposition,
                                  {{"convex", Decomposition::kConvex},
                                   {"trapezoidal", Decomposition::kTrapezoidal},
                                   {"boustrophedon", Decomposition::kBoustrophedon}});
@@ -147,7 +125,7 @@ PartsOptions read_parts_options(const YamlSection& section, const PartsOptions& 
   }
   options.least_m2 = read_number(*parts, "least_area_m2", kPartsArea).value_or(options.least_m2);
   options.small =
-      read_one_of<SmallParts>(*parts, "small_parts", options.small,
+      read_choice<SmallParts>(*parts, "small_parts", options.small,
                               {{"drop", SmallParts::kDrop}, {"merge", SmallParts::kMerge}});
   options.merge = read_flag(*parts, "merge").value_or(options.merge);
   return options;
@@ -156,8 +134,8 @@ PartsOptions read_parts_options(const YamlSection& section, const PartsOptions& 
 std::vector<ComparedMap> read_compared_fields(const YamlSection& section,
                                               const FieldDefaults& defaults, std::uint64_t seed) {
   refuse_unknown_keys(section, kFieldsKeys);
-  const auto sources = std::ranges::count_if(
-      kFieldSources, [&](const auto& key) { return has_field_key(section, key); });
+  const auto sources =
+      std::ranges::count_if(kFieldSources, [&](const auto& key) { return has_key(section, key); });
   if (sources != 1) {
     throw InputError(
         section.source, place_of_itself(section), "",

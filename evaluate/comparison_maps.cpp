@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -34,11 +33,6 @@ const std::vector<std::string> kFieldKeys = {"file", "layer",   "part",
                                              "crs",  "width_m", "direction_deg"};
 
 constexpr NumberRange kCell{kMinGridCell_m, kMaxGridCell_m};
-
-bool has_key(const YamlSection& section, std::string_view key) {
-  const YAML::Node node = section.node;
-  return node[std::string(key)].IsDefined();
-}
 
 // Keys that belong to one kind of map only.
 void refuse_key(const YamlSection& section, std::string_view key, const std::string& whose) {
@@ -187,18 +181,6 @@ std::vector<std::string> compared_map_key_paths() {
   add("maps.generator.", kGeneratorKeys);
   add("maps.field.", kFieldKeys);
   return paths;
-}
-
-std::optional<int> read_count(const YamlSection& section, std::string_view key, int least,
-                              int most) {
-  const auto text = read_word(section, key, "a whole number");
-  if (!text) return std::nullopt;
-  int value = 0;
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
-  const bool whole = error == std::errc() && end == text->data() + text->size();
-  if (whole && value >= least && value <= most) return value;
-  throw InputError(section.source, place_of(section, key), *text,
-                   fmt::format("a whole number from {} to {} is needed", least, most));
 }
 
 }  // namespace headland

@@ -31,8 +31,4 @@ std::vector<std::string> compared_map_key_paths();
 
 inline constexpr int kMostMapsOfARecipe = 1000;
 
-// A whole number in [least, most]; nullopt when the key is absent.
-std::optional<int> read_count(const YamlSection& section, std::string_view key, int least,
-                              int most);
-
 }  // namespace headland

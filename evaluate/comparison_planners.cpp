@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <limits>
 #include <set>
 #include <span>
-#include <utility>
 
-#include "evaluate/comparison_maps.h"
 #include "evaluate/comparison_reader.h"
 #include "evaluate/yaml_parameters.h"
 #include "terrains/input_error.h"
@@ -105,8 +102,8 @@ ComparedPlanner read_compared_planner(const YamlSection& section, const PlannerK
   }
   planner.stop = stop;
   if (kind.fields) {
-    planner.sweeps = std::array{PartSweeps::kOwn,
-                                PartSweeps::kAny}[read_choice(section, "sweeps", {"own", "any"})];
+    planner.sweeps = read_choice(section, "sweeps", PartSweeps::kOwn,
+                                 {{"own", PartSweeps::kOwn}, {"any", PartSweeps::kAny}});
   }
   if (const auto own_stop = read_section(section, "stop")) {
     if (budget != Budget::kNone) {
@@ -166,18 +163,6 @@ std::vector<std::string> compared_planner_key_paths() {
   add("stop.", kStopKeys);
   add("budget.", kBudgetKeys);
   return paths;
-}
-
-// One of the words, as its place in the list; the first when the key is absent.
-std::size_t read_choice(const YamlSection& section, std::string_view key,
-                        const std::vector<std::string>& words) {
-  const auto given = read_word(section, key);
-  if (!given) return 0;
-  const auto found = std::find(words.begin(), words.end(), *given);
-  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  throw InputError(section.source, place_of(section, key), *given,
-                   fmt::format("unknown word; did you mean '{}'? (known: {})",
-                               nearest_name(*given, words), fmt::join(words, ", ")));
 }
 
 // Names are told apart where they are read and in the files that carry them.

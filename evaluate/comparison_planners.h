@@ -19,10 +19,6 @@ SearchStop read_stop(const YamlSection& section, int default_iterations = Search
 
 std::vector<std::string> compared_planner_key_paths();
 
-// One of the words, as its place in the list; the first when the key is absent.
-std::size_t read_choice(const YamlSection& section, std::string_view key,
-                        const std::vector<std::string>& words);
-
 // Throws InputError for names that stand twice in a list of the file or would give the same file,
 // and for those that cannot be shown. `key` is what the list calls a name.
 void refuse_repeated(const YamlSection& top, std::string_view list, const std::string& key,

@@ -98,8 +98,8 @@ void read_tests(const YamlSection& top, Comparison& comparison) {
                      is_of_fields(comparison) ? "no figure of plans on fields"
                                               : "no figure of plans on grid maps");
   }
-  tests.blocks = std::array{BlockKind::kMaps,
-                            BlockKind::kRuns}[read_choice(*section, "blocks", {"maps", "runs"})];
+  tests.blocks = read_choice(*section, "blocks", BlockKind::kMaps,
+                             {{"maps", BlockKind::kMaps}, {"runs", BlockKind::kRuns}});
   tests.alpha = read_number(*section, "alpha", {0.001, 0.5}).value_or(tests.alpha);
   tests.control = read_word(*section, "control").value_or("");
   if (tests.control.empty()) return;
@@ -129,9 +129,11 @@ GridCost read_grid_cost(const YamlSection& top) {
   const bool measured = keys["file"].IsDefined();
   if (measured && !keys["objective"].IsDefined()) cost.objective = GridObjective::kMeasured;
   if (keys["objective"].IsDefined()) {
-    cost.objective = std::array{GridObjective::kLength, GridObjective::kWeighted,
-                                GridObjective::kTractor, GridObjective::kMeasured}[read_choice(
-        *section, "objective", {"length", "weighted", "tractor", "measured"})];
+    cost.objective = read_choice(*section, "objective", GridObjective::kLength,
+                                 {{"length", GridObjective::kLength},
+                                  {"weighted", GridObjective::kWeighted},
+                                  {"tractor", GridObjective::kTractor},
+                                  {"measured", GridObjective::kMeasured}});
   }
   if (cost.objective == GridObjective::kMeasured && !measured) {
     throw InputError(top.source, place_of(*section, "objective"), "measured",

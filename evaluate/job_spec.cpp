@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "evaluate/scenario_parts.h"
 #include "evaluate/yaml_section.h"
 #include "planner/visit_order.h"
@@ -17,15 +15,6 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kOwnKeys = {"name",         "seed",  "crs",   "fields", "roads",
                                            "road_width_m", "order", "start", "end",    "planner"};
 const std::vector<std::string> kFieldKeys = {"name", "field", "gates", "planner"};
-
-// The value of `key` among `words`; the first of them where it is not given.
-std::string read_choice(const YamlSection& section, std::string_view key,
-                        const std::vector<std::string>& words) {
-  const std::string word = read_word(section, key).value_or(words.front());
-  if (std::ranges::count(words, word) > 0) return word;
-  throw InputError(section.source, place_of(section, key), word,
-                   fmt::format("one of {}", fmt::join(words, ", ")));
-}
 
 PlannerChoice planner_of(const YamlSection& section, const YamlSection& top) {
   const YAML::Node mapping = section.node;
@@ -115,7 +104,7 @@ JobSpec read_job(const fs::path& file, std::optional<std::uint64_t> seed) {
   job.roads = read_point_lists(top, "roads").value_or(job.roads);
   job.road_width_m = read_number(top, "road_width_m", {kLeastRoadWidth_m, kMostRoadWidth_m})
                          .value_or(job.road_width_m);
-  job.order_given = read_choice(top, "order", {"shortest", "given"}) == "given";
+  job.order_given = read_choice(top, "order", false, {{"shortest", false}, {"given", true}});
   job.start = read_point(top, "start");
   job.end = read_point(top, "end");
   check_fields(top, job);

@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "evaluate/comparison_maps.h"
 #include "evaluate/scenario_parts.h"
 #include "evaluate/scenario_soil.h"
 #include "evaluate/sweep.h"

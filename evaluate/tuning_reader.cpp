@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "evaluate/comparison_maps.h"
 #include "evaluate/comparison_planners.h"
 #include "evaluate/run_key.h"
 #include "evaluate/scenario_parts.h"

@@ -119,6 +119,11 @@ YamlSection read_yaml(const std::filesystem::path& file) {
   return top;
 }
 
+bool has_key(const YamlSection& section, std::string_view key) {
+  const YAML::Node node = section.node;
+  return node[std::string(key)].IsDefined();
+}
+
 void refuse_unknown_keys(const YamlSection& section, const std::vector<std::string>& known) {
   std::set<std::string> seen;
   for (const auto& entry : section.node) {
@@ -242,6 +247,29 @@ std::optional<std::vector<YamlSection>> read_sections(const YamlSection& section
     sections.push_back({section.source, joined(section.path, key), item});
   }
   return sections;
+}
+
+std::optional<int> read_count(const YamlSection& section, std::string_view key, int least,
+                              int most) {
+  const auto text = read_word(section, key, "a whole number");
+  if (!text) return std::nullopt;
+  int value = 0;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+  const bool whole = error == std::errc() && end == text->data() + text->size();
+  if (whole && value >= least && value <= most) return value;
+  throw InputError(section.source, place_of(section, key), *text,
+                   fmt::format("a whole number from {} to {} is needed", least, most));
+}
+
+std::optional<std::size_t> read_one_of(const YamlSection& section, std::string_view key,
+                                       const std::vector<std::string>& words) {
+  const auto given = read_word(section, key);
+  if (!given) return std::nullopt;
+  const auto found = std::ranges::find(words, *given);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  throw InputError(section.source, place_of(section, key), *given,
+                   fmt::format("unknown word; did you mean '{}'? (known: {})",
+                               nearest_name(*given, words), fmt::join(words, ", ")));
 }
 
 std::string read_crs(const YamlSection& section) {

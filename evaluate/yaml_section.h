@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace headland {
@@ -33,6 +34,8 @@ std::string place_of(const YamlSection& section, std::string_view key);
 // "line N: section" of the section itself.
 std::string place_of_itself(const YamlSection& section);
 
+bool has_key(const YamlSection& section, std::string_view key);
+
 // Numbers in [min, max] and, where `or_zero`, 0, which then stands for a default.
 struct NumberRange {
   double min = 0.0;
@@ -48,6 +51,12 @@ std::optional<std::string> read_word(const YamlSection& section, std::string_vie
 std::optional<double> read_number(const YamlSection& section, std::string_view key,
                                   const NumberRange& range);
 std::optional<std::uint64_t> read_whole_number(const YamlSection& section, std::string_view key);
+// In [least, most].
+std::optional<int> read_count(const YamlSection& section, std::string_view key, int least,
+                              int most);
+// One of the words, as its place in the list.
+std::optional<std::size_t> read_one_of(const YamlSection& section, std::string_view key,
+                                       const std::vector<std::string>& words);
 std::optional<bool> read_flag(const YamlSection& section, std::string_view key);
 std::optional<Eigen::Vector2d> read_point(const YamlSection& section, std::string_view key);
 std::optional<std::vector<Eigen::Vector2d>> read_points(const YamlSection& section,
@@ -56,6 +65,16 @@ std::optional<std::vector<std::vector<Eigen::Vector2d>>> read_point_lists(
     const YamlSection& section, std::string_view key);
 std::optional<std::vector<YamlSection>> read_sections(const YamlSection& section,
                                                       std::string_view key);
+
+// What the word given stands for; `otherwise` when the key is absent.
+template <typename Value>
+Value read_choice(const YamlSection& section, std::string_view key, Value otherwise,
+                  const std::vector<std::pair<std::string, Value>>& words) {
+  std::vector<std::string> known;
+  for (const auto& [word, value] : words) known.push_back(word);
+  const std::optional<std::size_t> place = read_one_of(section, key, known);
+  return place ? words[*place].second : otherwise;
+}
 
 // A CRS that GDAL understands; "" when the key is absent.
 std::string read_crs(const YamlSection& section);

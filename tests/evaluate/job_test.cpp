@@ -249,8 +249,9 @@ TEST_F(Jobs, BadJobsAreRefusedWithTheirPlace) {
   EXPECT_THAT(refused(job(kWest + kWest)), HasSubstr("two fields have this name"));
   EXPECT_THAT(refused(job(kWest, "planner: {name: grid_tplp}\n")),
               HasSubstr("planner: 'grid_tplp': jobs are planned on fields, not on grid maps"));
-  EXPECT_THAT(refused(job(kWest, "order: best\n")),
-              HasSubstr("order: 'best': one of shortest, given"));
+  EXPECT_THAT(
+      refused(job(kWest, "order: best\n")),
+      HasSubstr("order: 'best': unknown word; did you mean 'shortest'? (known: shortest, given)"));
   EXPECT_THAT(refused(job(kWest, "road_width_m: 0\n")), HasSubstr("road_width_m: '0'"));
   EXPECT_THAT(refused(job(kWest, "roads: [[[0, 0]]]\n")),
               HasSubstr("a road is a line of at least two points"));
