@@ -39,10 +39,7 @@ void measure_for(const TuneCommand& command, Tuning& tuning) {
   if (!soil.file.empty()) {
     throw InputError(command.spec, "costs", "", "missing: on a map of soils nothing is measured");
   }
-  MeasureOptions options;
-  options.jobs = command.jobs;
-  options.repeats = 2;
-  options.ranges.speed_shares = {1.0};
+  MeasureOptions options = planning_measurements(command.jobs);
   ProgressLine line = start_progress(command.quiet);
   options.progress = [&line](double done) {
     show_share(line, "measuring", done);

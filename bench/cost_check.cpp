@@ -2,8 +2,6 @@
 // on. Measures the vehicles, plans fields and grid maps on level and rolling ground in several
 // ways, drives every plan and compares. Usage: cost_check [--quick] [--json]: with --quick one
 // vehicle on the small fields
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -12,25 +10,17 @@
 #include <map>
 
 #include "bench/figures.h"
-#include "evaluate/measure.h"
+#include "bench/scratch.h"
 #include "evaluate/rank_tests.h"
 #include "evaluate/sweep.h"
 #include "terrains/input_error.h"
-#include "vehicle_models/vehicle_loader.h"
 
 namespace headland::bench {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Scratch for a store, a sweep's file and the costs.
-struct Scratch {
-  fs::path folder = fs::temp_directory_path() / fmt::format("headland-cost-check-{}", getpid());
-  Scratch() { fs::create_directories(folder); }
-  ~Scratch() { fs::remove_all(folder); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-};
+constexpr int kJobs = 2;
 
 // With the micro-relief that costs are measured on.
 constexpr const char* kTerrains =
@@ -96,7 +86,7 @@ int add_pairs(const Scratch& scratch, const std::string& name, const std::string
   RunStore store;
   open_run_store(scratch.folder / (name + ".db"), DatabaseMode::kWrite, store);
   ParallelOptions options;
-  options.jobs = 2;
+  options.jobs = kJobs;
   run_sweep(read_sweep(file), store, {}, options);
   const Statement row =
       prepare(store.database,
@@ -107,15 +97,6 @@ int add_pairs(const Scratch& scratch, const std::string& name, const std::string
   }
   return static_cast<int>(
       whole_number_of(store.database, "SELECT count(*) FROM runs WHERE outcome IS NOT 'finished'"));
-}
-
-void measure_vehicle(const Scratch& scratch, const std::string& name) {
-  MeasureOptions options;
-  options.repeats = 2;
-  options.jobs = 2;
-  options.ranges.speed_shares = {1.0};
-  const CostTable table = measure_costs(load_vehicle(name), *find_soil("firm"), options);
-  std::ofstream(scratch.folder / (name + ".yaml")) << cost_table_yaml(table);
 }
 
 void add_summary(const std::string& name, const std::vector<Pair>& pairs, int others,
@@ -142,7 +123,7 @@ void add_summary(const std::string& name, const std::vector<Pair>& pairs, int ot
 }
 
 void check(bool quick, bool as_json) {
-  const Scratch scratch;
+  const Scratch scratch("cost-check");
   std::vector<Figure> figures;
   std::vector<Pair> all;
   int all_others = 0;
@@ -162,12 +143,12 @@ void check(bool quick, bool as_json) {
   const auto vehicles = [](const char* name) {
     return fmt::format("vehicles: {{{0}: {{vehicle: {0}, cost: {0}.yaml}}}}\n", name);
   };
-  measure_vehicle(scratch, "transplanter");
+  measure_vehicle(scratch, "transplanter", kJobs);
   add("transplanter on fields", kSmallFields + vehicles("transplanter") + kDirections + kTerrains);
   if (!quick) {
     add("transplanter on grid maps", grid_spec() + vehicles("transplanter") + kTerrains);
     for (const char* name : {"utility_tractor", "four_wheel_steer_robot", "skid_steer_robot"}) {
-      measure_vehicle(scratch, name);
+      measure_vehicle(scratch, name, kJobs);
       add(fmt::format("{} on fields", name),
           kLargeFields + vehicles(name) + kDirections + kTerrains);
     }

@@ -2,8 +2,6 @@
 // of that name count and what driving their plans takes, and whether the papers' ranking of
 // planners survives the drive. Usage: papers [RUNS] [--only TEXT] [--iterations N] [--store FILE]
 // [--jobs N] [--json]: RUNS seeds a row (1 unless told), maps whose name has TEXT.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -14,7 +12,7 @@
 
 #include "bench/figures.h"
 #include "bench/paper_rows.h"
-#include "evaluate/measure.h"
+#include "bench/scratch.h"
 #include "evaluate/rank_tests.h"
 #include "evaluate/sweep.h"
 #include "vehicle_models/vehicle_loader.h"
@@ -108,25 +106,6 @@ std::string printed_counts(const Course& course, const std::string& planner) {
     }
   }
   return text;
-}
-
-struct Scratch {
-  fs::path folder = fs::temp_directory_path() / fmt::format("headland-papers-{}", getpid());
-  Scratch() { fs::create_directories(folder); }
-  ~Scratch() { fs::remove_all(folder); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-};
-
-void measure_vehicle(const Scratch& scratch, const std::string& name, int jobs) {
-  const fs::path file = scratch.folder / (name + ".yaml");
-  if (fs::exists(file)) return;
-  MeasureOptions options;
-  options.repeats = 2;
-  options.jobs = jobs;
-  options.ranges.speed_shares = {1.0};
-  const CostTable table = measure_costs(load_vehicle(name), *find_soil("firm"), options);
-  std::ofstream(file) << cost_table_yaml(table);
 }
 
 // The paper's planners by the paper's objective; ours by the same, and by measured costs.
@@ -269,7 +248,7 @@ Json json_of(const Course& course, const std::vector<Driven>& all) {
 }
 
 void run_courses(const Asked& asked) {
-  const Scratch scratch;
+  const Scratch scratch("papers");
   RunStore store;
   open_run_store(asked.store.empty() ? scratch.folder / "runs.db" : fs::path(asked.store),
                  DatabaseMode::kWrite, store);

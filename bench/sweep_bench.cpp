@@ -2,13 +2,13 @@
 // take. Others may use the machine at the same time: runs with one job and with two alternate, and
 // processor time is compared, not the clock's alone. Usage: sweep_bench [RUNS] [--json]
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include "bench/figures.h"
+#include "bench/scratch.h"
 #include "evaluate/run_claims.h"
 #include "evaluate/run_key.h"
 #include "evaluate/run_query.h"
@@ -63,16 +63,11 @@ struct Rate {
 };
 
 struct Bench {
-  fs::path folder = fs::temp_directory_path() / fmt::format("headland-sweep-bench-{}", getpid());
+  Scratch scratch{"sweep-bench"};
   int next_seed = 1;
 
-  Bench() { fs::create_directories(folder); }
-  ~Bench() { fs::remove_all(folder); }
-  Bench(const Bench&) = delete;
-  Bench& operator=(const Bench&) = delete;
-
   Sweep next_sweep(int runs) {
-    const fs::path file = folder / "sweep.yaml";
+    const fs::path file = scratch.folder / "sweep.yaml";
     std::ofstream(file) << spec(next_seed, runs);
     next_seed += runs;
     return read_sweep(file);
@@ -95,7 +90,7 @@ void add_runs(Bench& bench, RunStore& store, int jobs, int runs, Rate& rate) {
 
 void add_throughput(Bench& bench, int runs, std::vector<Figure>& figures) {
   RunStore store;
-  open_run_store(bench.folder / "runs.db", DatabaseMode::kWrite, store);
+  open_run_store(bench.scratch.folder / "runs.db", DatabaseMode::kWrite, store);
   Rate one;
   Rate two;
   const int each = std::max(1, runs / (2 * kRounds));
@@ -166,7 +161,7 @@ void fill(RunStore& store) {
 }
 
 void add_queries(Bench& bench, std::vector<Figure>& figures) {
-  const fs::path file = bench.folder / "runs.db";
+  const fs::path file = bench.scratch.folder / "runs.db";
   {
     RunStore store;
     open_run_store(file, DatabaseMode::kWrite, store);

@@ -288,6 +288,14 @@ std::optional<std::vector<Repeats>> drive_all(const std::vector<Manoeuvre>& list
 
 }  // namespace
 
+MeasureOptions planning_measurements(int jobs) {
+  MeasureOptions options;
+  options.repeats = 2;
+  options.ranges.speed_shares = {1.0};
+  options.jobs = jobs;
+  return options;
+}
+
 CostTable measure_costs(const Vehicle& vehicle, const Soil& soil, const MeasureOptions& options) {
   CostTable table;
   table.vehicle = vehicle.name;

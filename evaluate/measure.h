@@ -24,6 +24,9 @@ struct MeasureOptions {
   std::function<bool(double done)> progress;
 };
 
+// What planning needs: at the work speed alone, twice each.
+MeasureOptions planning_measurements(int jobs);
+
 // Empty costs when `progress` ended it. The same options give the same table with any number of
 // jobs: every repeat has its own world and its own relief, drawn from seed and repeat. Throws
 // InputError when the vehicle cannot even work on the flat of this soil.
