@@ -1,7 +1,10 @@
 // headland tune and the weights it writes, by the real program.
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/apps/command.h"
+#include "tests/evaluate/made_up_costs.h"
 
 namespace headland {
 namespace {
@@ -34,6 +37,38 @@ TEST_F(TuneCommandTest, RefusesInOneLineAndWritesNothing) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
   EXPECT_THAT(said("tune tune.yaml -o out --store square.txt"),
               HasSubstr("square.txt: not a store of runs"));
+}
+
+TEST_F(TuneCommandTest, TunesAndPlansByWhatCameOut) {
+  const std::string terrain =
+      "  terrains: {hill: {generator: rolling, amplitude_m: 0.5, wavelength_m: 30, cell_m: 1}}\n";
+  write("costs.yaml", cost_table_yaml(made_up_table()));
+  write("small.yaml",
+        "vehicle: transplanter\ncosts: costs.yaml\nforms: [tractor, measured]\n"
+        "planner: {name: grid_local_search, stop: {iterations: 3}}\n"
+        "plans: {planners: [grid_boustrophedon, grid_local_search], variations: 4, iterations: 3}\n"
+        "bootstrap: 100\nshuffles: 1\nsimulation: {rate_hz: 60, record_hz: 1}\n"
+        "coverage: {cell_m: 1}\n"
+        "training:\n  fields: {square: {grid_map: square.txt}}\n" +
+            terrain + "held_out:\n  fields: {hook: {grid_map: hook.txt}}\n" + terrain);
+  const CommandResult tuned = headland("tune small.yaml -o out");
+  ASSERT_EQ(tuned.exit_code, 0) << tuned.err;
+  EXPECT_THAT(tuned.out, HasSubstr("figures and pictures are in out"));
+  // One held-out field tells no interval.
+  EXPECT_THAT(tuned.out, HasSubstr("±- p 1"));
+  const auto json = nlohmann::json::parse(text_of(folder_ / "out/tune.json"));
+  EXPECT_EQ(json["best"], "Wang et al. fitted");
+  EXPECT_EQ(json["held_out"]["without_figures"], 0);
+  ASSERT_GE(json["pictures"].size(), 4U);
+  for (const std::string name : json["pictures"]) {
+    EXPECT_GT(text_of(folder_ / "out" / name).size(), 1000U) << name;
+  }
+  write("map.yaml",
+        "vehicle: transplanter\nfield: {grid_map: hook.txt}\n"
+        "planner: {name: grid_local_search, stop: {iterations: 3}}\n");
+  const CommandResult planned = headland("plan map.yaml --weights out/weights.yaml -o plan");
+  EXPECT_EQ(planned.exit_code, 0) << planned.err;
+  EXPECT_THAT(text_of(folder_ / "plan/scenario.yaml"), HasSubstr("objective: tractor"));
 }
 
 TEST_F(TuneCommandTest, PlansByWeights) {
