@@ -162,6 +162,11 @@ void leave_out(Joining& joining, std::size_t line) {
                    place_name(joining.field, middle_W))});
 }
 
+void turn_round(WorkLine& line) {
+  std::swap(line.points, line.other_way);
+  std::swap(line.run_in, line.other_run_in);
+}
+
 // Appends a line if a turn leads to it, the other way round if that helps.
 bool drive_next(Joining& joining, std::size_t next, std::vector<DrivenLine>& driven) {
   DrivenLine to{next};
@@ -169,9 +174,9 @@ bool drive_next(Joining& joining, std::size_t next, std::vector<DrivenLine>& dri
     to.arcs = arcs_between(joining, driven.back().line, next);
     WorkLine& line = joining.lines[next];
     if (!to.arcs && !line.other_way.empty()) {
-      std::swap(line.points, line.other_way);
+      turn_round(line);
       to.arcs = arcs_between(joining, driven.back().line, next);
-      if (!to.arcs) std::swap(line.points, line.other_way);
+      if (!to.arcs) turn_round(line);
     }
     if (!to.arcs) return false;
   }

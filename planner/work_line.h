@@ -19,6 +19,7 @@ struct WorkLine {
   bool optional = false;   // as its pass
   // Of optional lines: the pass driven the other way, as far as the hull fits; may be empty.
   std::vector<PathPoint> other_way;
+  std::size_t other_run_in = 0;  // as run_in, of the other way
 };
 
 // The pass's line moved on by -implement_x_B_m along itself: an implement behind B's origin
