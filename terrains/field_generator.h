@@ -30,8 +30,8 @@ struct FieldRecipe {
   std::uint64_t seed = 1;
 };
 
-// The field of a recipe, turned at random, around the origin of W; checked by check_field. Nothing
-// in it is nearer to anything else than 0.5 m.
+// The field of a recipe, turned at random, around the origin of W; checked by check_field.
+// Boundary, holes and trees keep 0.5 m from one another, trees among themselves nothing.
 Field made_up_field(const FieldRecipe& recipe);
 
 // `count` recipes, the shapes in turn: 0.1 to 100 ha (log-uniform), 0 to 8 holes, in two of five

@@ -10,13 +10,24 @@ namespace headland {
 namespace {
 
 TEST(FieldGenerator, FieldsAreWhatTheirRecipesSay) {
+  int holes = 0;
+  int trees = 0;
+  int asked_holes = 0;
+  int asked_trees = 0;
   for (const FieldRecipe& recipe : field_suite(60)) {
     const Field field = made_up_field(recipe);
     EXPECT_NEAR(signed_area_m2(field.boundary), recipe.area_m2, 1e-6 * recipe.area_m2);
     EXPECT_LE(std::ssize(field.holes), recipe.holes);
     EXPECT_LE(std::ssize(field.obstacles), recipe.trees);
     for (const Ring& hole : field.holes) EXPECT_LT(signed_area_m2(hole), 0.0);
+    holes += static_cast<int>(field.holes.size());
+    trees += static_cast<int>(field.obstacles.size());
+    asked_holes += recipe.holes;
+    asked_trees += recipe.trees;
   }
+  // There is no room for some in small and thin fields.
+  EXPECT_GE(holes, 0.8 * asked_holes) << asked_holes;
+  EXPECT_GE(trees, 0.9 * asked_trees) << asked_trees;
 }
 
 TEST(FieldGenerator, ASuiteHasEveryShapeAllSizesAndUpToEightHoles) {
