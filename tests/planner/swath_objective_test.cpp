@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "tests/planner/field_shapes.h"
 #include "tests/planner/made_up_cost.h"
@@ -41,16 +40,18 @@ TEST(SwathObjective, FewestTurnsGoAlongTheLongSide) {
   EXPECT_NEAR(std::sin(grid.direction_rad), 0.0, 1e-9);
 }
 
-// 100 m wide, ends askew by 45 degrees: swaths along the slanted ends overlap them nowhere.
+// 100 m x 31 m: 6 swaths of 6 m along it work 5 m of 36 m twice, 17 across it 2 m of 102 m.
 TEST(SwathObjective, LeastLengthWorksLeastGroundTwice) {
-  const Field field = field_of("slanted", {{0, 0}, {40, 0}, {140, 100}, {100, 100}});
-  const double width_m = 40.0 / std::numbers::sqrt2 / 7.0;
-  const SwathGrid shortest = best(field, width_m, least_length());
-  const SwathGrid fewest = best(field, width_m, fewest_turns());
-  EXPECT_LE(length_m(shortest), length_m(fewest));
-  EXPECT_GE(shortest.swaths.size(), fewest.swaths.size());
+  const Field field = field_of("strip", rectangle_ring(0, 0, 100, 31));
+  const SwathGrid shortest = best(field, 6.0, least_length());
+  const SwathGrid fewest = best(field, 6.0, fewest_turns());
+  EXPECT_EQ(shortest.swaths.size(), 17U);
+  EXPECT_NEAR(length_m(shortest), 17.0 * 31.0, 1e-6);
+  EXPECT_EQ(fewest.swaths.size(), 6U);
+  EXPECT_NEAR(length_m(fewest), 6.0 * 100.0, 1e-6);
+  EXPECT_LT(length_m(shortest), length_m(fewest));
   // No swaths are shorter than the ground is large.
-  EXPECT_GE(length_m(shortest) * width_m, area_m2(ground_of(field)) - 1.0);
+  EXPECT_GE(length_m(shortest) * 6.0, area_m2(ground_of(field)));
 }
 
 // On a square all else is the same: up and down a slope takes more than level along it, as far as a
