@@ -45,6 +45,24 @@ Pose end_of(const Pose& from, const std::vector<Arc>& arcs) {
   return pose;
 }
 
+std::vector<Arc> driven_back(const std::vector<Arc>& arcs) {
+  std::vector<Arc> back(arcs.rbegin(), arcs.rend());
+  for (Arc& arc : back) {
+    arc.gear = arc.gear == Gear::kForward ? Gear::kReverse : Gear::kForward;
+  }
+  return back;
+}
+
+Pose begin_pose(const std::vector<Eigen::Vector2d>& line_W) {
+  const Eigen::Vector2d along = line_W[1] - line_W[0];
+  return {line_W.front(), std::atan2(along.y(), along.x())};
+}
+
+Pose end_pose(const std::vector<Eigen::Vector2d>& line_W) {
+  const Eigen::Vector2d along = line_W.back() - line_W[line_W.size() - 2];
+  return {line_W.back(), std::atan2(along.y(), along.x())};
+}
+
 double length_m(const std::vector<Arc>& arcs) {
   double sum_m = 0.0;
   for (const Arc& arc : arcs) sum_m += arc.length_m;

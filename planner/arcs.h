@@ -38,6 +38,13 @@ Eigen::Vector2d left_of(double heading_rad);       // unit vector to its left
 Pose pose_along(const Pose& from, const Arc& arc, double distance_m);
 Pose end_of(const Pose& from, const std::vector<Arc>& arcs);
 
+// The same way driven back, from its end to where it began.
+std::vector<Arc> driven_back(const std::vector<Arc>& arcs);
+
+// On a line of two points or more, along its first and its last edge.
+Pose begin_pose(const std::vector<Eigen::Vector2d>& line_W);
+Pose end_pose(const std::vector<Eigen::Vector2d>& line_W);
+
 double length_m(const std::vector<Arc>& arcs);
 double reverse_length_m(const std::vector<Arc>& arcs);
 int cusp_count(const std::vector<Arc>& arcs);  // changes of gear

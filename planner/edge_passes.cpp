@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "planner/ring_smoothing.h"
+#include "planner/segment.h"
 #include "planner/space_cells.h"
 #include "planner/work_line.h"
 
@@ -27,8 +27,6 @@ constexpr double kPushDone_m = 0.004;
 constexpr double kBesideVertex_m = 0.3;  // by which edges are taken to run on
 // Lines are moved in over this much on both sides of where the hull protrudes [hull lengths].
 constexpr double kPushReach = 1.5;
-
-double cross_of(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 Vector2d to_the_left(const Vector2d& along) { return Vector2d(-along.y(), along.x()); }
 
@@ -70,7 +68,7 @@ std::vector<double> turns_of(const Ring& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vector2d in = ring[i] - ring[(i + ring.size() - 1) % ring.size()];
     const Vector2d out = ring[(i + 1) % ring.size()] - ring[i];
-    turns[i] = std::atan2(cross_of(in, out), in.dot(out));
+    turns[i] = std::atan2(cross(in, out), in.dot(out));
   }
   return turns;
 }
@@ -203,7 +201,7 @@ double lack_beside_m(const Edging& edging, const Pose& pose) {
                    const Vector2d q = right_W + x_m * ahead - edge.a_W;
                    const double at_m = along.dot(q);
                    if (at_m < -kBesideVertex_m || at_m > length_m + kBesideVertex_m) continue;
-                   lack_m = std::max(lack_m, asked_m - cross_of(along, q));
+                   lack_m = std::max(lack_m, asked_m - cross(along, q));
                  }
                }
                return true;

@@ -15,11 +15,6 @@ namespace {
 
 double heading_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
-Pose end_pose(const Pass& pass) {
-  const Polyline& line = pass.points_W;
-  return {line.back(), heading_of(line.back() - line[line.size() - 2])};
-}
-
 // How a round is best begun, and at what cost.
 struct RoundChoice {
   RoundBegin begin;
@@ -41,7 +36,7 @@ RoundChoice best_begin(const Polyline& round, const Pass* before, const Eigen::V
       const Eigen::Vector2d along =
           round[begin.point + 1] - round[(begin.point + count - 1) % count];
       const Pose to{p_W, heading_of(begin.reversed ? Eigen::Vector2d(-along) : along)};
-      cost_m = forward_length_m(end_pose(*before), to, turning_radius_m);
+      cost_m = forward_length_m(end_pose(before->points_W), to, turning_radius_m);
     }
     if (cost_m < best.cost_m) best = {begin, cost_m};
   }

@@ -196,9 +196,7 @@ bool improve_by_moving(SwathTour& tour, const std::vector<std::vector<std::size_
 }  // namespace
 
 double link_cost_m(const Pass& from, const Pass& to, const TurnCosts& costs) {
-  const Pose out = pose_into(from.points_W.front(), from.points_W.back());
-  return turn_cost_m({from.points_W.back(), out.heading_rad},
-                     pose_into(to.points_W.front(), to.points_W.back()), costs);
+  return turn_cost_m(end_pose(from.points_W), begin_pose(to.points_W), costs);
 }
 
 double order_cost_m(const std::vector<Pass>& swaths, const std::optional<Vector2d>& from_W,

@@ -169,13 +169,6 @@ std::vector<std::vector<Arc>> leads(Gear gear, double meet_m, double side, doubl
   return found;
 }
 
-// The same way driven back: to where it began.
-std::vector<Arc> back_along(const std::vector<Arc>& lead) {
-  std::vector<Arc> back(lead.rbegin(), lead.rend());
-  for (Arc& arc : back) arc.gear = arc.gear == F ? B : F;
-  return back;
-}
-
 // How far ahead of a pose its line meets that of another one; 0 where they hardly cross.
 double meeting_m(const Pose& at, const Pose& other) {
   const Eigen::Vector2d across = left_of(other.heading_rad);
@@ -287,7 +280,7 @@ std::vector<Turn> backing_turns(const Pose& from, const Pose& to, double radius_
     const Pose start = end_of(from, out);
     // Ways away from `to`, driven back.
     for (const auto& away : leads(F, tangent_m + meeting_m(to, from), aside.to, radius_m)) {
-      const std::vector<Arc> in = back_along(away);
+      const std::vector<Arc> in = driven_back(away);
       between.clear();
       add_closed_forms(start, end_of(to, away), radius_m, Gears::kBoth, between);
       for (Turn& turn : between) {

@@ -1,11 +1,9 @@
 #include "planner/way_to_room.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <numbers>
 #include <queue>
 #include <unordered_set>
 #include <utility>
@@ -50,14 +48,6 @@ std::uint64_t key_of(const Pose& pose, const Pose& origin) {
 }
 
 }  // namespace
-
-std::vector<Arc> driven_back(const std::vector<Arc>& arcs) {
-  std::vector<Arc> back(arcs.rbegin(), arcs.rend());
-  for (Arc& arc : back) {
-    arc.gear = arc.gear == Gear::kForward ? Gear::kReverse : Gear::kForward;
-  }
-  return back;
-}
 
 std::optional<std::vector<Arc>> way_to_room(const FreeSpace& space, const Pose& from,
                                             double radius_m, double clearance_m) {

@@ -19,7 +19,4 @@ std::optional<std::vector<Arc>> way_to_room(const FreeSpace& space, const Pose& 
 
 inline constexpr int kMostRoomNodes = 400;
 
-// The same way driven back, from its end to where it began.
-std::vector<Arc> driven_back(const std::vector<Arc>& arcs);
-
 }  // namespace headland
