@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -17,16 +16,6 @@ using Eigen::Vector2d;
 constexpr double kSaving_m = 1e-3;
 constexpr std::size_t kLongestMoved = 3;
 
-Pose begin_of(const Pass& pass) {
-  const Vector2d along = pass.points_W[1] - pass.points_W[0];
-  return {pass.points_W.front(), std::atan2(along.y(), along.x())};
-}
-
-Pose end_of_pass(const Pass& pass) {
-  const Vector2d along = pass.points_W.back() - pass.points_W[pass.points_W.size() - 2];
-  return {pass.points_W.back(), std::atan2(along.y(), along.x())};
-}
-
 // From each pass's end to each pass's begin; row 0 is from the start.
 struct Links {
   std::size_t count = 0;
@@ -38,22 +27,25 @@ struct Links {
 Links links_of(const std::vector<Pass>& passes, const std::optional<Vector2d>& from_W,
                const FreeSpace& space, double radius_m, const CancelAsked& cancelled) {
   const std::size_t count = passes.size();
-  std::vector<Vector2d> places{from_W.value_or(passes.front().points_W.front())};
-  for (const Pass& pass : passes) places.push_back(pass.points_W.back());
-  for (const Pass& pass : passes) places.push_back(pass.points_W.front());
-  const WayLengths ways(space, places);
+  std::vector<Vector2d> ends_W{from_W.value_or(passes.front().points_W.front())};
+  std::vector<Vector2d> begins_W;
+  for (const Pass& pass : passes) {
+    ends_W.push_back(pass.points_W.back());
+    begins_W.push_back(pass.points_W.front());
+  }
+  const WayLengths ways(space, ends_W, begins_W);
   Links links{count, std::vector<double>((count + 1) * count, 0.0)};
   for (std::size_t from = 0; from <= count; ++from) {
     stop_if(cancelled);
     for (std::size_t to = 0; to < count; ++to) {
       double& cost_m = links.cost_m[from * count + to];
-      cost_m = ways.between_m(from, count + 1 + to);
+      cost_m = ways.between_m(from, to);
       if (from == 0) continue;
       // Far apart the curve is hardly longer than the way.
       constexpr double kNear = 10.0;
       if (cost_m > kNear * radius_m) continue;
-      cost_m = std::max(cost_m, reeds_shepp_length_m(end_of_pass(passes[from - 1]),
-                                                     begin_of(passes[to]), radius_m));
+      cost_m = std::max(cost_m, reeds_shepp_length_m(end_pose(passes[from - 1].points_W),
+                                                     begin_pose(passes[to].points_W), radius_m));
     }
   }
   return links;

@@ -98,22 +98,25 @@ bool in_sight(const Cells& cells, const Vector2d& a_W, const Vector2d& b_W) {
 
 }  // namespace
 
-WayLengths::WayLengths(const FreeSpace& space, const std::vector<Vector2d>& places_W)
-    : count_(places_W.size()), length_m_(count_ * count_, static_cast<float>(kNoWay_m)) {
+WayLengths::WayLengths(const FreeSpace& space, const std::vector<Vector2d>& from_W,
+                       const std::vector<Vector2d>& to_W)
+    : to_count_(to_W.size()), length_m_(from_W.size() * to_count_, static_cast<float>(kNoWay_m)) {
   const Cells cells = cells_of(space);
-  std::vector<int> cell_of;
-  for (const Vector2d& p_W : places_W) cell_of.push_back(nearest_free(cells, p_W));
-  for (std::size_t a = 0; a < count_; ++a) {
-    std::vector<float> from_a;
-    for (std::size_t b = 0; b < count_; ++b) {
-      const double straight_m = (places_W[b] - places_W[a]).norm();
-      float& length_m = length_m_[a * count_ + b];
-      if (in_sight(cells, places_W[a], places_W[b])) {
+  std::vector<int> to_cells;
+  for (const Vector2d& p_W : to_W) to_cells.push_back(nearest_free(cells, p_W));
+  for (std::size_t from = 0; from < from_W.size(); ++from) {
+    std::vector<float> distance_m;
+    for (std::size_t to = 0; to < to_count_; ++to) {
+      const double straight_m = (to_W[to] - from_W[from]).norm();
+      float& length_m = length_m_[from * to_count_ + to];
+      if (in_sight(cells, from_W[from], to_W[to])) {
         length_m = static_cast<float>(straight_m);
         continue;
       }
-      if (from_a.empty()) from_a = distances_from(cells, cell_of[a]);
-      const float way_m = from_a[static_cast<std::size_t>(cell_of[b])];
+      if (distance_m.empty()) {
+        distance_m = distances_from(cells, nearest_free(cells, from_W[from]));
+      }
+      const float way_m = distance_m[static_cast<std::size_t>(to_cells[to])];
       if (way_m < static_cast<float>(kNoWay_m)) {
         length_m = std::max(way_m, static_cast<float>(straight_m));
       }

@@ -9,16 +9,20 @@
 
 namespace headland {
 
-// Shortest ways [m] from every place to every other over square cells that a disc of the hull's
+// Shortest ways [m] from places to others over square cells that a disc of the hull's
 // half width fits in (Dijkstra; at most 8 % longer than in the plane), straight where nothing is in
 // between. A place in no such cell counts to the nearest; what is not connected is kNoWay_m apart.
 class WayLengths {
  public:
-  WayLengths(const FreeSpace& space, const std::vector<Eigen::Vector2d>& places_W);
-  double between_m(std::size_t a, std::size_t b) const { return length_m_[a * count_ + b]; }
+  WayLengths(const FreeSpace& space, const std::vector<Eigen::Vector2d>& from_W,
+             const std::vector<Eigen::Vector2d>& to_W);
+  // From the place `from` of the first to `to` of the second.
+  double between_m(std::size_t from, std::size_t to) const {
+    return length_m_[from * to_count_ + to];
+  }
 
  private:
-  std::size_t count_;
+  std::size_t to_count_;
   std::vector<float> length_m_;
 };
 

@@ -30,18 +30,21 @@ FreeSpace space_of(const Field& field) {
 }
 
 TEST(WayLengths, AreStraightWhereNothingIsBetween) {
-  const WayLengths ways(space_of(two_rooms()), {{10, 10}, {40, 50}, {90, 10}});
-  EXPECT_NEAR(ways.between_m(0, 1), 50.0, 1e-3);
-  EXPECT_NEAR(ways.between_m(1, 0), 50.0, 1e-3);
-  EXPECT_EQ(ways.between_m(1, 1), 0.0);
+  const WayLengths ways(space_of(two_rooms()), {{10, 10}, {40, 50}},
+                        {{40, 50}, {10, 10}, {10, 50}});
+  EXPECT_NEAR(ways.between_m(0, 0), 50.0, 1e-3);
+  EXPECT_NEAR(ways.between_m(1, 1), 50.0, 1e-3);
+  EXPECT_NEAR(ways.between_m(0, 2), 40.0, 1e-3);
+  EXPECT_NEAR(ways.between_m(1, 2), 30.0, 1e-3);
+  EXPECT_EQ(ways.between_m(1, 0), 0.0);
 }
 
 TEST(WayLengths, GoAroundWalls) {
-  const WayLengths ways(space_of(two_rooms()), {{40, 10}, {60, 10}});
+  const WayLengths ways(space_of(two_rooms()), {{40, 10}}, {{60, 10}});
   // Around the wall's end, with the hull's half width from it.
   const double shortest_m = 2.0 * std::hypot(9.0, 80.0) + 2.0;
-  EXPECT_GT(ways.between_m(0, 1), shortest_m);
-  EXPECT_LT(ways.between_m(0, 1), kGridDetour * shortest_m + 4.0);
+  EXPECT_GT(ways.between_m(0, 0), shortest_m);
+  EXPECT_LT(ways.between_m(0, 0), kGridDetour * shortest_m + 4.0);
 }
 
 TEST(WayLengths, ThereIsNoneThroughAGapNarrowerThanTheHull) {
@@ -49,8 +52,8 @@ TEST(WayLengths, ThereIsNoneThroughAGapNarrowerThanTheHull) {
   for (Eigen::Vector2d& p_W : field.boundary) {
     if (p_W.y() == 90.0) p_W.y() = 99.0;
   }
-  const WayLengths ways(space_of(field), {{40, 10}, {60, 10}});
-  EXPECT_EQ(ways.between_m(0, 1), kNoWay_m);
+  const WayLengths ways(space_of(field), {{40, 10}}, {{60, 10}});
+  EXPECT_EQ(ways.between_m(0, 0), kNoWay_m);
 }
 
 double driven_m(const std::vector<Pass>& passes) {
