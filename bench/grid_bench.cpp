@@ -1,8 +1,6 @@
 // What grid planners stand on: the table of all distances against plainer ways to the same, and
 // maps of a million cells.
 // Usage: grid_bench [--json] [--only TEXT], of figures whose name has the text. Half a minute.
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
@@ -103,12 +101,6 @@ void measure_table(const std::string& name, std::vector<Figure>& figures) {
   figures.push_back({what + ": Floyd / ours", floyd_ms / ours_ms, "times", ""});
 }
 
-double peak_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
 // Planned until a few seconds are over, the most between two looks at whether to end, and what the
 // process came to need at most.
 void measure_large(const GridMap& map, const GridPlannerEntry& planner,
@@ -135,7 +127,7 @@ void measure_large(const GridMap& map, const GridPlannerEntry& planner,
     figures.push_back({what, cpu_seconds() - begun_s, "s", ""});
     figures.push_back({what + ": without a look at whether to end", longest_s, "s", "under 1 s"});
     figures.push_back({what + ": cost", plan.cost, "", ""});
-    figures.push_back({what + ": peak memory so far", peak_mb(), "MB", ""});
+    figures.push_back({what + ": peak memory so far", peak_memory_bytes() / 1048576.0, "MiB", ""});
   } catch (const InputError& refused) {
     figures.push_back({what, 0.0, "refused", refused.what()});
   }

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 #include <functional>
 #include <limits>
 #include <map>
@@ -16,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/figures.h"
 #include "bench/paper_lines.h"
 #include "bench/paper_rows.h"
 #include "planner/algorithms/grid_ant_colony.h"
@@ -101,8 +101,6 @@ GridPlanRequest request_for(const PaperRow& row, const Asked& asked) {
   return request;
 }
 
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 std::vector<Line> begun_lines(std::string_view table, const std::string& name,
                               const std::vector<Printed>& printed) {
   std::vector<Line> lines;
@@ -116,7 +114,7 @@ std::vector<Line> begun_lines(std::string_view table, const std::string& name,
 std::vector<Line> measured_row(const PaperRow& row, const Asked& asked) {
   std::vector<Line> lines = begun_lines(row.table, row.name, row.printed);
   GridPlanRequest request = request_for(row, asked);
-  const double begun = processor_seconds();
+  const double begun = cpu_seconds();
   for (int run = 0; run < asked.runs; ++run) {
     request.seed = static_cast<std::uint64_t>(run + 1);
     const GridPlan plan = find_grid_planner(row.planner, "paper_tables").plan(request);
@@ -124,7 +122,7 @@ std::vector<Line> measured_row(const PaperRow& row, const Asked& asked) {
       line.values.push_back(value_of(plan, line.quantity, request.map.cell_m));
     }
   }
-  for (Line& line : lines) line.seconds = (processor_seconds() - begun) / asked.runs;
+  for (Line& line : lines) line.seconds = (cpu_seconds() - begun) / asked.runs;
   return lines;
 }
 
@@ -220,7 +218,7 @@ std::vector<Line> measured_part(const PartRow& row, const Asked& asked) {
   const PaperRow like{row.table, row.name, "env_I", "grid_tplp", {}, GridObjective::kLength, {}};
   GridPlanRequest request = request_for(like, asked);
   request.stop.iterations = kPartIterations;
-  const double begun = processor_seconds();
+  const double begun = cpu_seconds();
   for (int run = 0; run < asked.runs; ++run) {
     request.seed = static_cast<std::uint64_t>(run + 1);
     OrderTask task(request);
@@ -229,7 +227,7 @@ std::vector<Line> measured_part(const PartRow& row, const Asked& asked) {
     lines[0].values.push_back(steps);
     lines[1].values.push_back(100.0 * (steps - cells + 1.0) / cells);
   }
-  for (Line& line : lines) line.seconds = (processor_seconds() - begun) / asked.runs;
+  for (Line& line : lines) line.seconds = (cpu_seconds() - begun) / asked.runs;
   return lines;
 }
 

@@ -1,7 +1,5 @@
 #include "bench/planning_times.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -20,13 +18,6 @@ namespace {
 constexpr int kLargestOptimised = 4000;  // more take minutes in all that is near each swath
 constexpr double kSwath_m = 300.0;
 constexpr char kGartner[] = HEADLAND_SOURCE_DIR "/../shared/data/gartner/boundary.geojson";
-
-// The most the program has held so far: sizes only grow.
-double peak_gb() {
-  rusage used{};
-  getrusage(RUSAGE_SELF, &used);
-  return 1024.0 * static_cast<double>(used.ru_maxrss) / 1e9;
-}
 
 // About `swaths` of 2 m across a strip whose sides wave, with a hole every 50 swaths.
 Field strip_field(int swaths) {
@@ -94,7 +85,7 @@ void add_size(int swaths, std::vector<Figure>& figures) {
               {{"swath_direction_deg", 90.0}, {"swath_order", std::string("optimised")}}, false);
     add("planned, order optimised", optimised.plan_s, "s", "< 5");
   }
-  add("peak of memory so far", peak_gb(), "GB", "< 1");
+  add("peak of memory so far", peak_memory_bytes() / 1e9, "GB", "< 1");
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 // Usage: render_bench DIR [--json], DIR holding a run ('headland evaluate' writes it). Frames are
 // drawn with 4 samples a pixel, shadows, furrows and coverage.
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -39,12 +38,6 @@ struct Loaded {
   CoverageRaster coverage;
   PictureScene scene;
 };
-
-double peak_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
 
 // Frames of a world that is on the graphics side already, from all along the run.
 double frame_ms(const Loaded& run) {
@@ -113,7 +106,7 @@ int run_bench(const std::filesystem::path& folder, bool as_json) {
   const auto start = Clock::now();
   const Image map = draw_field_map(run.scene, {4096, 4096});
   figures.push_back({"map 4096x4096", bench::seconds_since(start), "s", "< 5"});
-  figures.push_back({"peak memory", peak_mb(), "MB", "< 500"});
+  figures.push_back({"peak memory", bench::peak_memory_bytes() / 1048576.0, "MiB", "< 500"});
   bench::print(figures, as_json);
   return EXIT_SUCCESS;
 }
