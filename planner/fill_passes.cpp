@@ -330,6 +330,14 @@ std::vector<Pass> fill_passes(const FreeSpace& space, const FillOptions& options
     stop_if(options.cancelled);
     const Patch patch = patches.top();
     patches.pop();
+    const auto worked = [&](std::size_t cell) {
+      return ground.cells[cell] != GroundState::kToWork;
+    };
+    // A pass of another patch led over it: what it left is smaller and may be in pieces.
+    if (std::ranges::any_of(patch.cells, worked)) {
+      append_patches(ground, patch.cells, least_cells, taken, patches);
+      continue;
+    }
     Line line = best_line(filling, patch);
     if (line.gain_m2 < options.least_patch_m2) continue;
     extend(filling, line);
