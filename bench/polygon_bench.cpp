@@ -2,7 +2,8 @@
 // can be reached.
 // Usage: polygon_bench suite [--fields N] [--first N] [--vehicle NAME] [--set KEY=VALUE] [--json]
 //        polygon_bench drive [--fields N] [--most-ha HA] [--vehicle NAME] [--set KEY=VALUE]
-//        [--json] polygon_bench times [--json]
+//        [--json]
+//        polygon_bench times [--json]
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>

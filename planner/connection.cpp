@@ -1,7 +1,6 @@
 #include "planner/connection.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -1,7 +1,6 @@
 #include "planner/long_route.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>

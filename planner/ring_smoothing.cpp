@@ -49,8 +49,6 @@ PolygonSet clear_ground(const Rounding& rounding) {
                   Join::kRound);
 }
 
-}  // namespace
-
 // What is to be kept out of around a place that closing brings too near, so that the boundary
 // swings out there: the smallest shift of the ground with which closing keeps the clearance.
 PolygonSet kept_out_of(const PolygonSet& ground, const PolygonSet& clear, const PolygonPart& around,
@@ -67,6 +65,8 @@ PolygonSet kept_out_of(const PolygonSet& ground, const PolygonSet& clear, const 
   }
   return opened_by(difference(place, buffered(near, -high_m, Join::kMitre)), radius_m);
 }
+
+}  // namespace
 
 PolygonSet passable(const PolygonSet& ground, const Rounding& rounding,
                     const CancelAsked& cancelled) {
