@@ -21,6 +21,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kSquareMetresPerHa = 1e4;
 constexpr std::size_t kCellsTold = 8;
+constexpr std::size_t kLeftOutTold = 8;  // passes
 
 std::string row(std::string_view label, const std::string& value, const std::string& note = "") {
   const std::string line = fmt::format("  {:<26}{:>12}   {}", label, value, note);
@@ -220,6 +221,13 @@ std::string path_notes(const Path& path) {
                         path.cut_back_m.size(),
                         *std::max_element(path.cut_back_m.begin(), path.cut_back_m.end()));
   }
+  for (std::size_t i = 0; i < path.left_out.size(); ++i) {
+    if (i == kLeftOutTold) {
+      text += fmt::format("  and {} more passes left out\n", path.left_out.size() - i);
+      break;
+    }
+    text += fmt::format("  pass left out: {}\n", path.left_out[i].why);
+  }
   const TightestPlace& tightest = path.tightest;
   if (std::isfinite(tightest.clearance_m) && path.violations.empty()) {
     text += fmt::format("  a pass brings the hull within {:.2f} m at x {:.1f}, y {:.1f} m\n",
@@ -313,6 +321,11 @@ Json plan_summary_json(const Job& job, const PlanResult& result) {
     predicted["cusps"] = result.predicted->cusps;
   }
   json["cut_back_m"] = result.path.cut_back_m;
+  json["left_out"] = Json::array();
+  for (const LeftOutPass& pass : result.path.left_out) {
+    json["left_out"].push_back(
+        {{"pass", pass.pass}, {"x_m", pass.p_W.x()}, {"y_m", pass.p_W.y()}, {"why", pass.why}});
+  }
   const TightestPlace& tightest = result.path.tightest;
   if (std::isfinite(tightest.clearance_m)) {
     json["tightest"] = {{"clearance_m", tightest.clearance_m},

@@ -28,8 +28,8 @@ std::string predicted_row(const PlanResult& result);
 // "note: ..." a line.
 std::string notes_text(const std::vector<std::string>& notes);
 
-// Lines on swaths cut back for their turns and on the place where a pass keeps less than the
-// clearance asked for; empty where there is nothing to say.
+// Lines on swaths cut back for their turns, on passes left out and why, and on the place where a
+// pass keeps less than the clearance asked for; empty where there is nothing to say.
 std::string path_notes(const Path& path);
 
 // Lines on the cells of a grid plan that cannot be worked; empty for other plans.

@@ -137,8 +137,8 @@ std::string place_name(const JobSpec& job, const std::vector<Visit>& visits,
   return visit ? job.fields[visits[*visit].field].name : otherwise;
 }
 
-// Appends a path that begins where the other one ends.
-void append(const Path& more, JobPart part, JobPlan& made) {
+// Appends a path that begins where the other one ends, its passes counted from `first_pass` on.
+void append(const Path& more, JobPart part, std::size_t first_pass, JobPlan& made) {
   const int last = made.path.segments.empty() ? -1 : made.path.segments.back().manoeuvre;
   part.first_segment = made.path.segments.size();
   part.segments = more.segments.size();
@@ -153,6 +153,11 @@ void append(const Path& more, JobPart part, JobPlan& made) {
   }
   made.path.cut_back_m.insert(made.path.cut_back_m.end(), more.cut_back_m.begin(),
                               more.cut_back_m.end());
+  for (LeftOutPass left_out : more.left_out) {
+    left_out.pass += first_pass;
+    left_out.why = part.name + ": " + left_out.why;
+    made.path.left_out.push_back(std::move(left_out));
+  }
   if (more.tightest.clearance_m < made.path.tightest.clearance_m) {
     made.path.tightest = more.tightest;
   }
@@ -221,10 +226,12 @@ JobPlan plan_job(const JobSpec& job, const CancelAsked& cancelled) {
   made.stage.notes.insert(made.stage.notes.begin(), ground.notes.begin(), ground.notes.end());
 
   std::vector<Path> paths;
+  std::vector<std::size_t> first_passes;
   for (const Visit& visit : *visits) {
     stop_if(cancelled);
     const Plan plan =
         planned_from(job, ground, made.stage, visit.field, ground.gates[visit.in].p_W, cancelled);
+    first_passes.push_back(made.plan.passes.size());
     append(plan, made.plan);
     const std::string& name = job.fields[visit.field].name;
     try {
@@ -270,7 +277,7 @@ JobPlan plan_job(const JobSpec& job, const CancelAsked& cancelled) {
 
   auto transit = transits.begin();
   if (ground.start) {
-    append(transit->second, transit->first, made);
+    append(transit->second, transit->first, 0, made);
     ++transit;
   }
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -281,9 +288,9 @@ JobPlan plan_job(const JobSpec& job, const CancelAsked& cancelled) {
     for (const PathSegment& segment : paths[i].segments) {
       if (segment.implement_down) ++part.passes;
     }
-    append(paths[i], part, made);
+    append(paths[i], part, first_passes[i], made);
     if (transit == transits.end()) continue;
-    append(transit->second, transit->first, made);
+    append(transit->second, transit->first, 0, made);
     ++transit;
   }
   set_expected_times(made);

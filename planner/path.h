@@ -62,7 +62,7 @@ struct Path {
   std::vector<PathSegment> segments;
   std::vector<PathViolation> violations;  // empty unless overruns were allowed
   std::vector<double> cut_back_m;         // of swath ends shortened for their turn's room
-  // Known to who made the path, not kept in files:
+  // In summaries of who made the path, not in path files:
   std::vector<LeftOutPass> left_out;  // optional passes that no turn leads to or away from
   TightestPlace tightest;
 };
