@@ -142,7 +142,9 @@ PlannerChoice read_planner(const YamlSection& top) {
   decltype(GridPlannerEntry::check) check = nullptr;
   for (const PlannerEntry& entry : planners()) {
     names.emplace_back(entry.name);
-    if (entry.name == choice.name) parameters = entry.parameters;
+    if (entry.name != choice.name) continue;
+    parameters = entry.parameters;
+    check = entry.check;
   }
   for (const GridPlannerEntry& entry : grid_planners()) {
     names.emplace_back(entry.name);

@@ -7,6 +7,7 @@
 
 #include "planner/algorithms/boustrophedon.h"
 #include "planner/algorithms/decomposed.h"
+#include "planner/swath_plan.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -16,10 +17,10 @@ std::span<const PlannerEntry> planners() {
       PlannerEntry{"boustrophedon",
                    "Choset, 'Coverage of known spaces: the boustrophedon cellular decomposition', "
                    "Autonomous Robots 9, 2000",
-                   plan_boustrophedon, boustrophedon_parameters()},
+                   plan_boustrophedon, boustrophedon_parameters(), check_boustrophedon},
       PlannerEntry{"decomposed",
                    "IGA-CPP's decomposition, Held and Karp 1962, and headland's own order of parts",
-                   plan_decomposed, decomposed_parameters()},
+                   plan_decomposed, decomposed_parameters(), check_swath_parameters},
   };
   return kPlanners;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "planner/plan.h"
@@ -17,6 +18,9 @@ struct PlannerEntry {
   std::string_view source;  // paper, book or 'headland'
   PlanFunction plan;
   std::span<const ParameterSpec> parameters;
+  // Throws InputError(source, "where.name", ...) for resolved parameters that are allowed one by
+  // one and not together. The planner itself throws likewise.
+  void (*check)(const Parameters&, const std::string& source, const std::string& where);
 };
 
 std::span<const PlannerEntry> planners();

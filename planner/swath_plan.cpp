@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "planner/arcs.h"
+#include "planner/segment.h"
 #include "planner/swath_cells.h"
 #include "planner/swath_objective.h"
 #include "planner/swath_order.h"
@@ -42,9 +43,7 @@ SwathGrid swaths_along(const std::array<Vector2d, 2>& line, const PlanRequest& r
     inside = inside_field(request.field, line[0] + run * i / steps);
   }
   if (!inside) refuse_guide(line, "lies outside the field; it must lead through it");
-  double direction_rad = std::atan2(run.y(), run.x());
-  if (direction_rad < 0.0) direction_rad += std::numbers::pi;
-  if (direction_rad >= std::numbers::pi) direction_rad -= std::numbers::pi;
+  const double direction_rad = line_direction_rad(run);
   const double through_m = left_of(direction_rad).dot(line[0]);
   return lay_swaths(inner, drivable, direction_rad, request.working_width_m, bridge_m, through_m);
 }
@@ -104,10 +103,20 @@ std::span<const ParameterSpec> swath_parameters() {
        1.0,
        20.0,
        {"auto"},
-       "swaths left between two with swath_order skip; auto: as many as a U-turn needs",
+       "swaths left between two with swath_order skip or optimised; auto: as many as a U-turn "
+       "needs",
        true},
   }};
   return kParameters;
+}
+
+void check_swath_parameters(const Parameters& parameters, const std::string& source,
+                            const std::string& where) {
+  const auto skip = number_unless_word(parameters, "swath_skip");
+  const std::string& order = word(parameters, "swath_order");
+  if (!skip || order == "skip" || order == "optimised") return;
+  throw InputError(source, key_path(where, "swath_skip"), fmt::format("{}", *skip),
+                   fmt::format("only with swath_order skip or optimised, not with {}", order));
 }
 
 SwathGridCost swath_cost(const PlanRequest& request) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "planner/plan.h"
@@ -14,6 +15,11 @@ namespace headland {
 
 // `swath_direction_deg`, `swath_objective`, `swath_order` and `swath_skip`, for tables of planners.
 std::span<const ParameterSpec> swath_parameters();
+
+// Throws InputError(source, "where.swath_skip", ...) where it is given and `swath_order` leaves no
+// swaths between.
+void check_swath_parameters(const Parameters& parameters, const std::string& source,
+                            const std::string& where);
 
 // The lines of ab_line_W where the request has one, else in `swath_direction_deg`, else in the
 // direction that is best by `swath_objective` (swath_objective.h). Throws InputError for an A-B

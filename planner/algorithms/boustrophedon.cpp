@@ -1,7 +1,7 @@
 #include "planner/algorithms/boustrophedon.h"
 
-#include <algorithm>
-#include <cmath>
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "planner/edge_passes.h"
@@ -12,9 +12,14 @@
 #include "planner/pass_order.h"
 #include "planner/request_check.h"
 #include "planner/swath_plan.h"
+#include "terrains/input_error.h"
 
 namespace headland {
 namespace {
+
+bool covers_corners(const Parameters& parameters) {
+  return word(parameters, "headland_corners") == "covered";
+}
 
 // Patches are worked from the largest on until no more than this is left of the field; smaller ones
 // than the smallest are not worth their way.
@@ -116,12 +121,25 @@ std::span<const ParameterSpec> boustrophedon_parameters() {
   return kParameters;
 }
 
+void check_boustrophedon(const Parameters& parameters, const std::string& source,
+                         const std::string& where) {
+  check_swath_parameters(parameters, source, where);
+  const double overhang_m = number(parameters, "overhang_m");
+  if (overhang_m > 0.0 && !covers_corners(parameters)) {
+    throw InputError(source, key_path(where, "overhang_m"), fmt::format("{}", overhang_m),
+                     "only with headland_corners covered");
+  }
+}
+
 Plan plan_boustrophedon(const PlanRequest& asked_for) {
+  check_boustrophedon(asked_for.parameters, "plan", "");
+  if (covers_corners(asked_for.parameters) && asked_for.forward_only) {
+    throw InputError("plan", "headland_corners", "covered",
+                     "rounded with a trailed implement, which cannot be backed into a corner");
+  }
   const PlanRequest request = checked(asked_for);
   const int rounds = asked_rounds(request);
-  if (word(request.parameters, "headland_corners") == "covered" && !request.forward_only) {
-    return plan_whole(request, rounds);
-  }
+  if (covers_corners(request.parameters)) return plan_whole(request, rounds);
   const Headland headland = make_headland(request, rounds);
   const SwathGrid grid = chosen_swaths(request, headland.inner, headland.drivable);
 

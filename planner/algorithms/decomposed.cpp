@@ -143,6 +143,7 @@ std::span<const ParameterSpec> decomposed_parameters() {
 }
 
 Plan plan_decomposed(const PlanRequest& asked_for) {
+  check_swath_parameters(asked_for.parameters, "plan", "");
   const PlanRequest request = checked(asked_for);
   const Headland headland = make_headland(request, asked_rounds(request));
   const std::vector<SwathGrid> grids = grids_of(request, headland);

@@ -8,6 +8,7 @@
 #include "planner/edge_passes.h"
 #include "planner/fill_passes.h"
 #include "planner/work_line.h"
+#include "terrains/input_error.h"
 #include "tests/planner/field_shapes.h"
 
 namespace headland {
@@ -123,6 +124,17 @@ TEST(CoveredHeadland, LeavesAFifthOfWhatRoundedOnesLeave) {
   const double covered_m2 = missed_m2("covered");
   EXPECT_LT(covered_m2, 0.2 * rounded_m2);
   EXPECT_LT(covered_m2, 0.005 * 60.0 * 45.0);
+}
+
+TEST(CoveredHeadland, IsRefusedWhereItCannotBe) {
+  const Field field = field_of("square", rectangle_ring(0, 0, 60, 45));
+  PlanRequest request = transplanter_request(field, "boustrophedon");
+  request.parameters["overhang_m"] = 0.5;
+  EXPECT_THROW(plan_boustrophedon(request), InputError);
+  request.parameters["headland_corners"] = std::string("covered");
+  EXPECT_NO_THROW(plan_boustrophedon(request));
+  request.forward_only = true;
+  EXPECT_THROW(plan_boustrophedon(request), InputError);
 }
 
 TEST(CoveredHeadland, ImplementStaysOnTheFieldUnlessItMayHangOver) {
