@@ -51,6 +51,28 @@ TEST_F(StagesTest, SameSeedSameBytesAndStagesGiveTheBytesOfTheWhole) {
   EXPECT_EQ(files_in("C"), files_in("A"));
 }
 
+// A pocket behind a gap of 1 m, which the hull of 1.4 m does not fit through.
+TEST_F(StagesTest, PlanTellsWhichPassesAreLeftOut) {
+  write("pocket.yaml",
+        "field: {boundary: [[0, 0], [14, 0], [14, 8], [14.5, 8], [14.5, 6.5], [17.4, 6.5], "
+        "[17.4, 10.5], [14.5, 10.5], [14.5, 9], [14, 9], [14, 14], [0, 14]]}\n"
+        "vehicle: transplanter\nplanner: {headland_corners: covered}\n");
+  const CommandResult told = headland("plan pocket.yaml -o DIR");
+  ASSERT_EQ(told.exit_code, 0) << told.err;
+  const CommandResult result = headland("plan pocket.yaml -o DIR --json");
+  const auto left_out = nlohmann::json::parse(result.out)["left_out"];
+  bool in_pocket = false;
+  for (const auto& pass : left_out) {
+    const auto index = pass["pass"].get<int>();
+    const auto why = pass["why"].get<std::string>();
+    EXPECT_THAT(why, HasSubstr(fmt::format("pass {} ", index + 1)));
+    EXPECT_THAT(told.out, HasSubstr("pass left out: " + why));
+    const double y_m = pass["y_m"].get<double>();
+    in_pocket = in_pocket || (pass["x_m"].get<double>() > 14.5 && y_m > 6.5 && y_m < 10.5);
+  }
+  EXPECT_TRUE(in_pocket);
+}
+
 TEST_F(StagesTest, AFailingVerdictExitsWith1) {
   write("tiny.yaml", kTinyScenario + "verdict: {reserve_soc_min: {warn: 1, fail: 1}}\n");
   const CommandResult result = headland(kEvaluateTiny + "DIR");
