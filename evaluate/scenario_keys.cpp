@@ -76,6 +76,8 @@ constexpr LimitKey kLimits[] = {
      [](Scenario& s) -> Threshold& { return s.verdict.belly_contact_m_max; }},
     {"verdict.reserve_soc_min", true, 1.0,
      [](Scenario& s) -> Threshold& { return s.verdict.reserve_soc_min; }},
+    {"verdict.ledger_residual_ratio_max", false, 1.0,
+     [](Scenario& s) -> Threshold& { return s.verdict.ledger_residual_ratio_max; }},
 };
 
 // Sections, words, flags, coordinates and whole numbers.

@@ -123,6 +123,9 @@ std::vector<Check> checks(const RunRecord& run, const Metrics& metrics,
       {"reserve_soc_min", Better::kMore, Unit::kPercent, limits.reserve_soc_min, run.soc_end,
        std::nullopt, "Battery reserve",
        fmt::format("the job took {:.1f} % of the charge", 100.0 * metrics.delta_soc)},
+      {"ledger_residual_ratio_max", Better::kLess, Unit::kPercent, limits.ledger_residual_ratio_max,
+       metrics.ledger_residual_ratio, std::nullopt, "Energy not accounted for",
+       "the simulation's energies do not add up, so its figures are not to be relied on"},
   };
 }
 

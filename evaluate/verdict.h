@@ -33,6 +33,7 @@ struct VerdictLimits {
   Threshold boundary_overrun_m_max{0.05, 0.5};
   Threshold belly_contact_m_max{0.0, 0.05};
   Threshold reserve_soc_min{0.20, 0.10};
+  Threshold ledger_residual_ratio_max{0.001, 0.01};
 };
 
 enum class Grade { kPass, kWarn, kFail };

@@ -27,6 +27,13 @@ void raise_load_transfer(double ratio, bool of_trailer, double time_s, const Eig
   raise_peak(peaks.load_transfer_ratio, ratio, time_s, p_W);
 }
 
+// Of the vehicle or its trailed implement, whichever is nearer to tipping.
+double worst_load_transfer_ratio(const StepReport& report) {
+  const double vehicle = load_transfer_ratio(report.contacts);
+  const double trailer = report.trailer_load_transfer_ratio;
+  return std::abs(trailer) > std::abs(vehicle) ? trailer : vehicle;
+}
+
 double worst_driven_slip(const Machine& machine, const PerWheel<double>& slip) {
   double worst = 0.0;
   for (std::size_t i = 0; i < kWheels; ++i) {
@@ -156,7 +163,7 @@ RunSample make_sample(const Recorder& recorder, const StepReport& report, const 
   sample.speed_mps = report.chassis.v_W.dot(report.chassis.R_WB.col(0));
   sample.steer_rad = driver.steer_rad;
   sample.slip = worst_driven_slip(recorder.machine, report.slip);
-  sample.load_transfer_ratio = load_transfer_ratio(report.contacts);
+  sample.load_transfer_ratio = worst_load_transfer_ratio(report);
   sample.cross_track_error_m = recorder.cross_track_m;
   sample.motor_torque_nm = report.motor_nm;
   sample.motor_power_w = report.motor_w;

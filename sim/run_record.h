@@ -69,7 +69,8 @@ struct RunSample {
   double speed_mps = 0.0;  // of B along x, negative backwards
   double steer_rad = 0.0;
   double slip = 0.0;                 // worst of the driven wheels, 0..1
-  double load_transfer_ratio = 0.0;  // (left - right) / total wheel load, -1..1
+  double load_transfer_ratio = 0.0;  // (left - right) / total wheel load, -1..1, of the vehicle or
+                                     // of a trailed implement, whichever is larger in magnitude
   double cross_track_error_m = 0.0;  // of B's origin, left of the path positive
   double motor_torque_nm = 0.0;
   double motor_power_w = 0.0;    // electrical

@@ -91,7 +91,10 @@ INSTANTIATE_TEST_SUITE_P(
                   [](JudgedRun& r, double v) { r.record.peaks.belly_contact_m.value = v; }, 0.0,
                   0.01, 0.06, true},
         LimitCase{"reserve_soc_min", [](JudgedRun& r, double v) { r.record.soc_end = v; }, 0.20,
-                  0.19, 0.09, false}),
+                  0.19, 0.09, false},
+        LimitCase{"ledger_residual_ratio_max",
+                  [](JudgedRun& r, double v) { r.metrics.ledger_residual_ratio = v; }, 0.001, 0.002,
+                  0.011, false}),
     [](const auto& test) { return std::string(test.param.figure); });
 
 TEST_P(EveryLimit, GradesItsFigureAndSaysWhichLimitItPassed) {

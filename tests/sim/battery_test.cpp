@@ -68,6 +68,41 @@ TEST(Battery, ConstantPowerDischargeDrainsWhatPeukertSays) {
   EXPECT_GT(factor, 1.3);
 }
 
+// The closed form of the time from full to 30 %: dt = C dSOC / (I (I / I20)^(k - 1)), integrated
+// over the charge by Simpson's rule, where draw() goes over time.
+TEST(Battery, ConstantPowerLastsAsLongAsTheIntegralOverTheChargeSays) {
+  Battery battery = lead_acid();
+  battery.polarisation_resistance_ohm = 0.0;
+  constexpr double kPower_w = 1500.0;
+  constexpr double kEnd = 0.3;
+  const double rated_a = battery.capacity_ah / 20.0;
+  const auto seconds_per_charge = [&](double soc) {
+    const double emf_v = open_circuit_voltage_v(battery, soc);
+    const double current_a =
+        (emf_v - std::sqrt(emf_v * emf_v - 4.0 * battery.resistance_ohm * kPower_w)) /
+        (2.0 * battery.resistance_ohm);
+    return 3600.0 * battery.capacity_ah /
+           (current_a * std::pow(current_a / rated_a, battery.peukert - 1.0));
+  };
+  constexpr int kIntervals = 200;
+  constexpr double kWidth = (1.0 - kEnd) / kIntervals;
+  double expected_s = 0.0;
+  for (int i = 0; i < kIntervals; ++i) {
+    const double soc = kEnd + i * kWidth;
+    expected_s += kWidth / 6.0 *
+                  (seconds_per_charge(soc) + 4.0 * seconds_per_charge(soc + 0.5 * kWidth) +
+                   seconds_per_charge(soc + kWidth));
+  }
+  BatteryState state;
+  constexpr double kStep_s = 0.05;
+  double lasted_s = 0.0;
+  while (state.soc > kEnd) {
+    draw(battery, kPower_w, kStep_s, state);
+    lasted_s += kStep_s;
+  }
+  EXPECT_NEAR(lasted_s, expected_s, 2.0 * kStep_s);  // both ends fall within a step
+}
+
 TEST(Battery, AnHourAtConstantPowerLosesTheEnergyDrawn) {
   Battery battery;  // LFP, no Peukert
   battery.cells_in_series = 16;

@@ -154,6 +154,16 @@ TEST(Simulation, RunsTheBatteryEmpty) {
                                   test::textbook_soil(), options);
   EXPECT_EQ(run.outcome, Outcome::kBatteryEmpty) << run.outcome_detail;
   EXPECT_LT(run.distance_m, 149.0);
+  // Empty is empty: within what one step takes, some 1e-7 of the charge.
+  EXPECT_NEAR(run.soc_end, transplanter().battery.empty_soc, 1e-6);
+
+  // A fifth more charge above empty drives further, by more than a sixth; less than all of it is
+  // driving, since starting takes its share.
+  options.soc_start = transplanter().battery.empty_soc + 0.0024;
+  const RunRecord longer = test::run(test::straight(150.0), transplanter(), test::plane(0.02, 0.0),
+                                     test::textbook_soil(), options);
+  EXPECT_EQ(longer.outcome, Outcome::kBatteryEmpty) << longer.outcome_detail;
+  EXPECT_GT(longer.distance_m, run.distance_m * 7.0 / 6.0);
 }
 
 TEST(Simulation, HitsATreeInItsWay) {
@@ -369,17 +379,36 @@ TEST(Simulation, LeftTurnMirrorsRightTurnOnFlatGround) {
   EXPECT_NEAR(a.samples.back().p_WB.y(), -b.samples.back().p_WB.y(), 1e-3);
 }
 
+// Rows, turns and a slope, all turned by the same angle about the origin. A plane is the one ground
+// whose grid of heights turns exactly.
 TEST(Simulation, TurningTheWorldTurnsTheRun) {
   const Vehicle vehicle = transplanter();
-  const Heightfield flat = test::plane(0.0, 0.0);
-  const RunRecord east =
-      test::run(test::straight(30.0, true), vehicle, flat, test::textbook_soil());
-  const RunRecord rotated =
-      test::run(test::straight(30.0, true, 2.1), vehicle, flat, test::textbook_soil());
-  // Rounding may end a run one step sooner or later: 1/240 s of some 60 s.
+  const Path path = test::rows_with_omega_turns(3, 20.0, vehicle.implement.working_width_m,
+                                                planning_turning_radius_m(vehicle));
+  constexpr double kTurn_rad = 2.1;
+  const Eigen::Rotation2Dd turn(kTurn_rad);
+  Path turned_path = path;
+  for (PathSegment& segment : turned_path.segments) {
+    for (PathPoint& point : segment.points) {
+      point.p_W = turn * point.p_W;
+      point.heading_rad += kTurn_rad;
+    }
+  }
+  const Eigen::Vector2d slope(0.06, -0.04);
+  const Eigen::Vector2d turned_slope = turn * slope;
+  const RunRecord run =
+      test::run(path, vehicle, test::plane(slope.x(), slope.y()), test::textbook_soil());
+  const RunRecord turned = test::run(
+      turned_path, vehicle, test::plane(turned_slope.x(), turned_slope.y()), test::textbook_soil());
+  ASSERT_EQ(run.outcome, Outcome::kFinished) << run.outcome_detail;
+  // Rounding may end a run one step sooner or later: 1/240 s of some 100 s.
   constexpr double kOneStep = 1e-4;
-  EXPECT_NEAR(east.energy.battery_j, rotated.energy.battery_j, kOneStep * east.energy.battery_j);
-  EXPECT_NEAR(rotated.samples.back().p_WB.head<2>().norm(), east.samples.back().p_WB.x(), 1e-3);
+  EXPECT_NEAR(turned.energy.battery_j, run.energy.battery_j, kOneStep * run.energy.battery_j);
+  ASSERT_EQ(turned.samples.size(), run.samples.size());
+  for (std::size_t i = 0; i < run.samples.size(); i += 50) {
+    const Eigen::Vector2d there = turn * run.samples[i].p_WB.head<2>();
+    EXPECT_LT((turned.samples[i].p_WB.head<2>() - there).norm(), 1e-3) << run.samples[i].time_s;
+  }
 }
 
 TEST(Simulation, RefusesAPathWithoutMotion) {

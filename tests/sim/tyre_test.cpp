@@ -101,6 +101,13 @@ TEST(Tyres, CombinedForceStaysInTheFrictionCircle) {
                 0.5 * 1500.0 * (1.0 + kTyreRounding));
     }
   }
+  // Sliding sideways at 2 m/s all grip is used, and it holds against the slide.
+  const TyreResult sliding = solve_tyres(contacts, wheels, torques, soil, mass, chassis,
+                                         {0.5, 2.0, 0.0}, chassis.omega_W, 1.0 / 240.0, states);
+  for (std::size_t w = 0; w < kWheels; ++w) {
+    EXPECT_GE(std::hypot(sliding.along_n[w], sliding.across_n[w]), 0.95 * 0.5 * 1500.0);
+    EXPECT_LT(sliding.across_n[w], 0.0);
+  }
 }
 
 TEST(Tyres, BrakedWheelLocksAndHoldsExactly) {
