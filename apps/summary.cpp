@@ -185,7 +185,7 @@ std::string grid_rows(const PlanResult& result) {
                          plan.counts.turns, plan.counts.u_turns, plan.cost)) +
          row("passes", fmt::format("{}", drive.plan.passes.size()),
              fmt::format("{} of them added, {} runs of the plan left out", drive.added_passes,
-                         drive.runs_left_out));
+                         drive.left_out.size()));
 }
 
 }  // namespace

@@ -34,7 +34,12 @@ std::string grid_plan_json(const GridMap& map, const GridPlan& plan, const GridD
   json["evaluations"] = plan.evaluations;
   json["stopped_by"] = stop_reason_name(plan.stopped_by);
   json["added_passes"] = drive.added_passes;
-  json["runs_left_out"] = drive.runs_left_out;
+  json["runs_left_out"] = Json::array();
+  for (const LeftOutRun& run : drive.left_out) {
+    json["runs_left_out"].push_back({{"from", {run.first.column, run.first.row}},
+                                     {"to", {run.last.column, run.last.row}},
+                                     {"why", run.why}});
+  }
   json["unworked_ratio"] = rounded(drive.unworked_ratio, kShareDecimals);
   json["unworked"] = Json::array();
   for (const UnworkedCell& unworked : drive.unworked) {

@@ -44,10 +44,15 @@ void note(const GridMap& map, const GridRun& run, Hindrance hindrance,
   for (int k = 0; k < run.cells; ++k) hindrances[index_of(map, cell_of(run, k))] = hindrance;
 }
 
+LeftOutRun left_out_run(const GridRun& run, Hindrance hindrance) {
+  return {cell_of(run, 0), cell_of(run, run.cells - 1), std::string(hindrance_text(hindrance))};
+}
+
 // The plan's runs, as far as they can be driven one after the other. A run that no turn leaves is
 // left out in favour of a longer one, or when a second one cannot be reached from it.
 std::vector<GridRun> drivable_runs(GridJoining& joining, const std::vector<GridRun>& runs,
-                                   std::vector<Hindrance>& hindrances, int& left_out) {
+                                   std::vector<Hindrance>& hindrances,
+                                   std::vector<LeftOutRun>& left_out) {
   const GridMap& map = joining.map;
   std::vector<GridRun> kept;
   int not_left = 0;  // runs in a row that the last one kept does not lead to
@@ -55,8 +60,10 @@ std::vector<GridRun> drivable_runs(GridJoining& joining, const std::vector<GridR
     stop_if(joining.connection.cancelled);
     auto run = with_room(joining, whole);
     note(map, whole, run ? Hindrance::kRoom : Hindrance::kLane, hindrances);
-    left_out += run ? 0 : 1;
-    if (!run) continue;
+    if (!run) {
+      left_out.push_back(left_out_run(whole, Hindrance::kLane));
+      continue;
+    }
     if (kept.empty() || joined(joining, kept.back(), *run)) {
       kept.push_back(*run);
       not_left = 0;
@@ -69,16 +76,17 @@ std::vector<GridRun> drivable_runs(GridJoining& joining, const std::vector<GridR
       not_left = 0;
       continue;
     }
-    ++left_out;
     ++not_left;
     const bool longer = run->end_m - run->begin_m > kept.back().end_m - kept.back().begin_m;
     if ((longer || not_left > 1) &&
         (kept.size() == 1 || joined(joining, kept[kept.size() - 2], *run))) {
       note(map, kept.back(), Hindrance::kNoTurn, hindrances);
+      left_out.push_back(left_out_run(kept.back(), Hindrance::kNoTurn));
       kept.back() = *run;
       not_left = 0;
     } else {
       note(map, whole, Hindrance::kNoTurn, hindrances);
+      left_out.push_back(left_out_run(whole, Hindrance::kNoTurn));
     }
   }
   return kept;
@@ -127,12 +135,12 @@ GridDrive make_grid_path(const Field& field, const Vehicle& vehicle, const GridM
   std::vector<GridRun> runs = work_runs(map, plan.cells);
   std::vector<Hindrance> hindrances(map.blocked.size(), Hindrance::kNone);
   if (!options.allow_overrun) {
-    runs = drivable_runs(joining, runs, hindrances, drive.runs_left_out);
+    runs = drivable_runs(joining, runs, hindrances, drive.left_out);
     if (runs.empty()) {
       throw PlanInfeasible(fmt::format(
           "{} has no room on any of the {} straight pieces of the plan; larger cells, a "
           "smaller vehicle, or allow overruns (--allow-overrun)",
-          vehicle.name, drive.runs_left_out));
+          vehicle.name, drive.left_out.size()));
     }
   }
   std::vector<WorkedCell> worked(map.blocked.size());

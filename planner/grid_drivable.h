@@ -16,10 +16,17 @@ struct UnworkedCell {
   std::string why;
 };
 
+// A straight piece of the plan that is not driven; other runs may work its cells all the same.
+struct LeftOutRun {
+  GridCell first;
+  GridCell last;
+  std::string why;
+};
+
 struct GridDrive {
   Plan plan;  // the passes as they are driven, added ones included
   Path path;
-  int runs_left_out = 0;               // that no turn reaches
+  std::vector<LeftOutRun> left_out;    // in the plan's order
   int added_passes = 0;                // for what the plan's own cannot reach
   std::vector<UnworkedCell> unworked;  // by row and column; cells with more than kUnworkedShare
   double unworked_ratio = 0.0;         // of all free cells

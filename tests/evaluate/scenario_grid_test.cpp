@@ -159,6 +159,7 @@ TEST_F(GridScenarioTest, WritesCellsInOrderAndWhatIsNotWorked) {
   GridDrive drive;
   drive.unworked.push_back({{1, 0}, 0.25, "a wall"});
   drive.unworked_ratio = 0.125;
+  drive.left_out.push_back({{1, 0}, {0, 0}, "no turn"});
   GridMap map = free_grid_map(2, 1);
   map.cell_m = 2.0;
   std::ofstream(folder_ / "plan.json") << grid_plan_json(map, plan, drive);
@@ -168,6 +169,7 @@ TEST_F(GridScenarioTest, WritesCellsInOrderAndWhatIsNotWorked) {
   EXPECT_EQ(json["unworked"][0]["x_m"], 3.0);
   EXPECT_EQ(json["unworked"][0]["why"], "a wall");
   EXPECT_EQ(json["unworked_ratio"], 0.125);
+  EXPECT_EQ(json["runs_left_out"].dump(), R"([{"from":[1,0],"to":[0,0],"why":"no turn"}])");
 }
 
 }  // namespace

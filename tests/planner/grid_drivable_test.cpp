@@ -90,7 +90,7 @@ TEST(GridDrivable, DrivesAnOpenMapByItsRowsAndUTurnsAlone) {
   const GridDrive drive = make_grid_path(made.field, made.vehicle, made.map, made.plan, {});
   EXPECT_EQ(drive.plan.passes.size(), 12U);
   EXPECT_EQ(drive.added_passes, 0);
-  EXPECT_EQ(drive.runs_left_out, 0);
+  EXPECT_TRUE(drive.left_out.empty());
   EXPECT_TRUE(drive.unworked.empty());
   EXPECT_EQ(drive.unworked_ratio, 0.0);
   int u_turns = 0;
@@ -109,6 +109,24 @@ TEST(GridDrivable, WorksAroundWhatIsBlockedWithoutTouchingIt) {
   EXPECT_GT(drive.added_passes, 0);
   // What the drive is to cover, the path must promise.
   EXPECT_LT(drive.unworked_ratio, 0.01);
+}
+
+// Each run of the plan is driven or named, and those named are runs of the plan.
+TEST(GridDrivable, NamesTheRunsThatItLeavesOut) {
+  const DrivenMap made = transplanter_case("field_C");
+  const GridDrive drive = make_grid_path(made.field, made.vehicle, made.map, made.plan, {});
+  const std::vector<GridRun> runs = work_runs(made.map, made.plan.cells);
+  const auto driven = drive.plan.passes.size() - static_cast<std::size_t>(drive.added_passes);
+  EXPECT_EQ(driven + drive.left_out.size(), runs.size());
+  EXPECT_FALSE(drive.left_out.empty()) << "nothing to test";
+  for (const LeftOutRun& left_out : drive.left_out) {
+    EXPECT_FALSE(left_out.why.empty());
+    const auto same = [&](const GridRun& run) {
+      return run.first == left_out.first && cell_of(run, run.cells - 1) == left_out.last;
+    };
+    EXPECT_TRUE(std::any_of(runs.begin(), runs.end(), same))
+        << left_out.first.column << ' ' << left_out.first.row;
+  }
 }
 
 // Without ground around the map to turn on, not every cell can be worked.
