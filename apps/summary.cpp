@@ -11,6 +11,7 @@
 #include "apps/terminal_text.h"
 #include "evaluate/duration_text.h"
 #include "evaluate/results.h"
+#include "planner/free_space.h"
 #include "terrains/geo_frame.h"
 #include "vehicle_models/vehicle_figures.h"
 
@@ -230,8 +231,11 @@ std::string path_notes(const Path& path) {
   }
   const TightestPlace& tightest = path.tightest;
   if (std::isfinite(tightest.clearance_m) && path.violations.empty()) {
-    text += fmt::format("  a pass brings the hull within {:.2f} m at x {:.1f}, y {:.1f} m\n",
-                        std::max(0.0, tightest.clearance_m), tightest.p_W.x(), tightest.p_W.y());
+    const double kept_m = std::max(0.0, tightest.clearance_m);
+    text += fmt::format(
+        "  a pass brings the hull within {:.2f} m of an edge, or {:.2f} m of an obstacle, at x "
+        "{:.1f}, y {:.1f} m\n",
+        kept_m, kObstacleClearances * kept_m, tightest.p_W.x(), tightest.p_W.y());
   }
   return text;
 }

@@ -32,6 +32,30 @@ std::vector<PathPoint> other_way(Pass pass, const FreeSpace& space, double imple
   return points;
 }
 
+// A plan of which less than this can be driven, by length, is none.
+constexpr double kLeastDriven = 0.5;
+
+// Tells how much ground passes that are left out would work. A vehicle that gets nowhere is
+// refused, however well it would work the little that it reaches.
+void weigh_left_out(const std::vector<Pass>& passes, double width_m, bool refuse, Path& path) {
+  if (path.left_out.empty()) return;
+  double all_m = 0.0;
+  for (const Pass& pass : passes) all_m += length_m(pass.points_W);
+  double left_out_m = 0.0;
+  for (LeftOutPass& left_out : path.left_out) {
+    const double pass_m = length_m(passes[left_out.pass].points_W);
+    left_out_m += pass_m;
+    left_out.why += fmt::format(", for up to {:.1f} m² of work", pass_m * width_m);
+  }
+  if (!refuse || left_out_m <= (1.0 - kLeastDriven) * all_m) return;
+  throw PlanInfeasible(fmt::format(
+      "turns lead to no more than {:.0f} of {:.0f} m of passes: {}; {} others are left out "
+      "likewise. "
+      "Take a smaller vehicle or one that turns tighter, remove what is in the way or allow "
+      "overruns (--allow-overrun)",
+      all_m - left_out_m, all_m, path.left_out.front().why, path.left_out.size() - 1));
+}
+
 }  // namespace
 
 Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
@@ -56,6 +80,7 @@ Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
   std::vector<double> cuts =
       make_room_for_turns(plan, outline, space, connection, vehicle.implement.x_B_m, lines);
   Path path = join_lines(field, vehicle, space, lines, options, cancelled);
+  weigh_left_out(plan.passes, vehicle.implement.working_width_m, !options.allow_overrun, path);
   path.cut_back_m = std::move(cuts);
   return path;
 }

@@ -14,7 +14,8 @@
 namespace headland {
 
 struct PathOptions {
-  // Kept between hull and boundary, holes and obstacles by every turn and transit. Passes are not
+  // Kept between hull and boundary and holes by every turn and transit, kObstacleClearances
+  // (free_space.h) times as much from obstacles. Passes are not
   // moved: one that keeps less keeps what it does, and so do the turns at its ends.
   double clearance_m = 0.1;
   bool allow_overrun = false;  // record what does not fit as violations instead of refusing
@@ -26,7 +27,8 @@ struct PathOptions {
 // path begins at the field's entry, if it has one. With a trailed implement nothing is driven in
 // reverse, and swaths have a straight run-in (run_in_m of work_line.h).
 // Throws PlanInfeasible naming the place and the headland width that would do when a turn does not
-// fit and overruns are not allowed, also for a pass without length; Cancelled.
+// fit and overruns are not allowed, when turns lead to less than half of the passes by length, also
+// for a pass without length; Cancelled.
 Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
                const PathOptions& options, const CancelAsked& cancelled = {});
 

@@ -16,6 +16,11 @@ namespace headland {
 // planners lay passes along limits, and boundaries are simplified by as much (outline.h).
 inline constexpr double kFitTolerance_m = 0.01;
 
+// Obstacles are kept so many times as far away as boundary and holes: touching one ends a run, and
+// besides the driver's error in turns, where steering takes its time, they meet a hull that leans
+// (0.2 m and 0.1 m on slopes of 6 %, measured with polygon_bench drive).
+inline constexpr double kObstacleClearances = 3.0;
+
 enum class Limit { kNone, kBoundary, kHole, kObstacle };
 
 // Edges and obstacles of a field in a grid of square cells, made once by free_space(). Each cell
@@ -57,15 +62,15 @@ struct NearestEdge {
 };
 NearestEdge nearest_edge(const FreeSpace& space, const Eigen::Vector2d& p_W);
 
-// Whether the hull keeps `clearance_m` (>= -kFitTolerance_m) from everything at this pose. Under
-// 1 us.
+// Whether the hull keeps `clearance_m` (>= -kFitTolerance_m) from boundary and holes at this pose,
+// and kObstacleClearances times as much from obstacles. Under 1 us.
 bool fits(const FreeSpace& space, const Pose& pose, double clearance_m);
 
 // Whether the implement at this pose works inside the boundary and outside holes, but for
 // `overhang_m` (>= 0, to within kFitTolerance_m) at both of its ends.
 bool works_inside(const FreeSpace& space, const Pose& pose, double overhang_m);
 
-// The clearance [m] the hull keeps, at most `most_m` (>= 0); negative by how far it protrudes.
+// The clearance [m] the hull keeps so, at most `most_m` (>= 0); negative by how far it protrudes.
 double clearance_m(const FreeSpace& space, const Pose& pose, double most_m);
 
 // Whether a disc does, without the implement.

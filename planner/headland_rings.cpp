@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "planner/free_space.h"
 #include "planner/outline.h"
 #include "planner/ring_smoothing.h"
 
@@ -103,8 +104,8 @@ double corners_cut_m2(const Ring& ring, double radius_m) {
 // The implement may hang over the boundary but not into obstacles, whatever a ring's error.
 double obstacle_margin_m(const PlanRequest& request, double first_m) {
   const double ring_error_m = kRingErrorPerRadius * request.turning_radius_m;
-  return std::max(0.0,
-                  0.5 * request.working_width_m + request.clearance_m + ring_error_m - first_m);
+  return std::max(0.0, 0.5 * request.working_width_m + kObstacleClearances * request.clearance_m +
+                           ring_error_m - first_m);
 }
 
 }  // namespace

@@ -36,7 +36,8 @@ double reach_m(const Hull& hull) {
 }
 
 double reach_with_bar_m(const Hull& hull) {
-  return std::max(reach_m(hull), std::hypot(hull.bar_x_m, hull.bar_half_width_m));
+  return std::max(reach_m(hull), std::hypot(std::abs(hull.bar_x_m) + 0.5 * kImplementDepth_m,
+                                            hull.bar_half_width_m));
 }
 
 double reach_along_m(const Hull& hull, double heading_rad, const Vector2d& along_W) {
@@ -50,6 +51,12 @@ Box chassis_of(const Hull& hull, double shrunk_m) {
   const Vector2d shrunk = Vector2d::Constant(shrunk_m);
   return {Vector2d(-hull.rear_m, -hull.half_width_m) + shrunk,
           Vector2d(hull.front_m, hull.half_width_m) - shrunk};
+}
+
+Box bar_of(const Hull& hull) {
+  const double half_m = hull.bar_half_width_m > 0.0 ? 0.5 * kImplementDepth_m : 0.0;
+  return {{hull.bar_x_m - half_m, -hull.bar_half_width_m},
+          {hull.bar_x_m + half_m, hull.bar_half_width_m}};
 }
 
 std::array<Vector2d, 4> corners_of(const Box& box) {

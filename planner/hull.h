@@ -10,14 +10,14 @@
 
 namespace headland {
 
-// From B's origin: a box for the chassis, and the raised implement as a bar across, which
-// may hang over boundary and holes but not through obstacles.
+// From B's origin: a box for the chassis, and the implement as a bar across, kImplementDepth_m
+// deep, which may hang over boundary and holes but not through obstacles.
 struct Hull {
   double front_m = 0.0;  // reach ahead of B's origin
   double rear_m = 0.0;   // reach behind it
   double half_width_m = 0.0;
   double bar_x_m = 0.0;
-  double bar_half_width_m = 0.0;
+  double bar_half_width_m = 0.0;  // 0: no bar
   Gears gears = Gears::kBoth;
 };
 
@@ -38,6 +38,7 @@ struct Box {
 
 // The chassis, `shrunk_m` smaller on every side.
 Box chassis_of(const Hull& hull, double shrunk_m = 0.0);
+Box bar_of(const Hull& hull);
 std::array<Eigen::Vector2d, 4> corners_of(const Box& box);
 double distance_to_box(const Eigen::Vector2d& p, const Box& box);
 // Depth of a point inside the box, negative outside.

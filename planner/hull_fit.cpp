@@ -22,10 +22,6 @@ double box_gap_m(const PoseFrame& frame, const Box& box, const Obstacle& obstacl
   return distance_m - obstacle.radius_m;
 }
 
-Box bar_of(const Hull& hull) {
-  return {{hull.bar_x_m, -hull.bar_half_width_m}, {hull.bar_x_m, hull.bar_half_width_m}};
-}
-
 double bar_gap_m(const FreeSpace& space, const PoseFrame& frame, const Obstacle& obstacle) {
   return box_gap_m(frame, bar_of(space.hull), obstacle);
 }
@@ -35,34 +31,40 @@ CellRange cells_near(const FreeSpace& space, const Vector2d& p_W, double extent_
   return cells_around(space, p_W - extent, p_W + extent);
 }
 
-// Visits the gaps between what may be within `reach_m` of the hull and the hull with its chassis
-// `shrunk_m` smaller, until one says no; edges that touch the box have the gap 0.
+// A gap to an obstacle counts so much.
+double counted_m(double gap_m) { return gap_m > 0.0 ? gap_m / kObstacleClearances : gap_m; }
+
+// Visits the gaps, as they count, between what may be within `reach_m` of the hull and the hull
+// with its chassis `shrunk_m` smaller, until one says no; edges that touch the box have the gap 0.
 template <typename Visit>  // bool(double gap_m)
 bool every_gap(const FreeSpace& space, const Pose& pose, double shrunk_m, double reach_m,
                Visit visit) {
   const PoseFrame frame(pose);
   const Box box = chassis_of(space.hull, shrunk_m);
   const Box bar = bar_of(space.hull);
-  const CellRange near = cells_near(space, pose.p_W, space.reach_with_bar_m + reach_m);
+  const double reach_obstacles_m =
+      space.obstacles.empty() ? reach_m : kObstacleClearances * reach_m;
+  const CellRange near = cells_near(space, pose.p_W, space.reach_with_bar_m + reach_obstacles_m);
   // One end tells of most pieces that they end before they come near: fences have thousands.
-  const auto beyond = [reach_m](double end_m, const Vector2d& run_W, double radius_m) {
-    const double spare_m = end_m - radius_m - reach_m;
+  const auto beyond = [](double end_m, const Vector2d& run_W, double within_m) {
+    const double spare_m = end_m - within_m;
     return spare_m > 0.0 && spare_m * spare_m > run_W.squaredNorm();
   };
   return every_cell(space, near, [&](const FreeSpace::Cell& cell) {
     for (const int index : cell.edges) {
       const FreeSpace::Edge& edge = space.edges[static_cast<std::size_t>(index)];
       const Vector2d a = frame.local(edge.a_W);
-      if (beyond(distance_to_box(a, box), edge.b_W - edge.a_W, 0.0)) continue;
+      if (beyond(distance_to_box(a, box), edge.b_W - edge.a_W, reach_m)) continue;
       if (!visit(segment_to_box(a, frame.local(edge.b_W), box))) return false;
     }
     for (const int index : cell.obstacles) {
       const Obstacle& obstacle = space.obstacles[static_cast<std::size_t>(index)];
       const Vector2d p = frame.local(obstacle.p_W);
       const double end_m = std::min(distance_to_box(p, box), distance_to_box(p, bar));
-      if (beyond(end_m, obstacle.run_W, obstacle.radius_m)) continue;
+      if (beyond(end_m, obstacle.run_W, obstacle.radius_m + reach_obstacles_m)) continue;
       const double chassis_m = box_gap_m(frame, box, obstacle);
-      if (!visit(std::min(chassis_m, bar_gap_m(space, frame, obstacle) + shrunk_m))) return false;
+      const double gap_m = std::min(chassis_m, bar_gap_m(space, frame, obstacle) + shrunk_m);
+      if (!visit(counted_m(gap_m))) return false;
     }
     return true;
   });
@@ -73,9 +75,9 @@ bool every_gap(const FreeSpace& space, const Pose& pose, double shrunk_m, double
 double safe_distance_m(const FreeSpace& space, const Pose& pose) {
   const CellPlace place = place_of(space, pose.p_W);
   const double off_centre_m = (pose.p_W - place.centre_W).norm();
-  return std::min(place.cell.edge_distance_m - space.reach_m,
-                  place.cell.obstacle_distance_m - space.reach_with_bar_m) -
-         off_centre_m;
+  return std::min(
+      place.cell.edge_distance_m - space.reach_m - off_centre_m,
+      counted_m(place.cell.obstacle_distance_m - space.reach_with_bar_m - off_centre_m));
 }
 
 bool fits(const FreeSpace& space, const Pose& pose, double clearance_m) {

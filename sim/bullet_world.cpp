@@ -151,7 +151,7 @@ struct BulletWorld::Parts {
   void add_bar(btCompoundShape& compound, const Implement& implement, double x_m,
                const Eigen::Vector3d& com) {
     if (!(implement.working_width_m > 0.0)) return;
-    constexpr double kHalfDepth_m = 0.25;
+    constexpr double kHalfDepth_m = 0.5 * kImplementDepth_m;
     const double z_m = implement.com_height_m;
     const double half_m = 0.5 * implement.working_width_m;
     add_box(compound, {x_m - kHalfDepth_m, -half_m, z_m - kHalfDepth_m},

@@ -39,6 +39,10 @@ struct TillageDraft {
   std::array<double, kSoilTextures> texture_factor{1.0, 1.0, 1.0};  // Fi: fine, medium, coarse
 };
 
+// What an implement takes up along the vehicle, half of it before its working line and half behind,
+// and from top to bottom.
+inline constexpr double kImplementDepth_m = 0.5;
+
 // An implement, a bar across the direction of travel. Mounted: fixed to the vehicle at x_B_m
 // (negative: behind the rear axle). Trailed: x_B_m is where the bar is when driving straight.
 struct Implement {

@@ -60,7 +60,7 @@ Plan plan_whole(const PlanRequest& request, int rounds) {
   const double first_m = edge_distance_m(request);
   const FreeSpace space = free_space(request.field, hull_of(request));
   WorkedGround ground = ground_to_work(request.field);
-  const PolygonSet field = from_field(request.field, request.clearance_m);
+  const PolygonSet field = from_field(request.field, kObstacleClearances * request.clearance_m);
   std::vector<EdgePass> edges;
   for (int round = 0; round < rounds; ++round) {
     for (EdgePass& edge : edge_round(request, space, field, first_m + round * width_m, round,

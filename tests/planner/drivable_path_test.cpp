@@ -186,6 +186,33 @@ TEST(MakePath, PlanWithoutPassesIsRefused) {
   EXPECT_THROW(make_path(rectangle(40.0, 60.0), made_up_vehicle(2.6, 2.0), {}, {}), PlanInfeasible);
 }
 
+// A wall with a gap narrower than the hull, and passes on its other side.
+TEST(MakePath, AVehicleThatReachesLittleOfItsPassesIsRefused) {
+  const Vehicle vehicle = made_up_vehicle(2.6, 2.0);
+  Field field = rectangle(80.0, 40.0);
+  field.holes.push_back({{40.0, 1.0}, {40.0, 39.0}, {41.0, 39.0}, {41.0, 1.0}});
+  const auto plan_with = [](int beyond) {
+    Plan plan;
+    plan.passes.push_back({PassKind::kSwath, {{10.0, 10.0}, {30.0, 10.0}}});
+    for (int i = 0; i < beyond; ++i) {
+      const double y = 10.0 + 6.0 * i;
+      plan.passes.push_back({PassKind::kSwath, {{50.0, y}, {70.0, y}}, true});
+    }
+    return plan;
+  };
+  const Path path = make_path(field, vehicle, plan_with(1), {});
+  ASSERT_EQ(path.left_out.size(), 1U);
+  EXPECT_THAT(path.left_out[0].why, HasSubstr("at (60.0, 10.0) m fits, for up to 40.0 m² of work"));
+  try {
+    make_path(field, vehicle, plan_with(2), {});
+    FAIL() << "planned though 40 of 60 m of passes cannot be reached";
+  } catch (const PlanInfeasible& refused) {
+    EXPECT_THAT(refused.what(), HasSubstr("no more than 20 of 60 m of passes"));
+    EXPECT_THAT(refused.what(), HasSubstr("1 others are left out"));
+    EXPECT_THAT(refused.what(), HasSubstr("Take a smaller vehicle"));
+  }
+}
+
 TEST(MakePath, BeginsAtTheFreePoseNearestToTheEntry) {
   const Vehicle vehicle = made_up_vehicle(2.6, 2.0);
   Field field = rectangle(40.0, 60.0);

@@ -33,9 +33,14 @@ Field wavy_field_with_hole() {
 Hull hull() { return hull_of(made_up_vehicle(2.6, 6.0)); }
 
 // By looking at points all over the hull, closely along its rim: distance to what is nearest,
-// negative as soon as one point is out. Knows nothing of grids, boxes or clipping.
+// negative as soon as one point is out, obstacles kObstacleClearances times nearer than they are.
+// Knows nothing of grids, boxes or clipping.
 double sampled_clearance_m(const Field& field, const Hull& hull, const Pose& pose, double step_m) {
   double least_m = 1e9;
+  const auto look_at = [&](const Obstacle& obstacle, const Vector2d& p) {
+    const double gap_m = obstacle_gap_m(obstacle, p);
+    least_m = std::min(least_m, gap_m > 0.0 ? gap_m / kObstacleClearances : gap_m);
+  };
   const auto world = [&](double x, double y) -> Vector2d {
     return pose.p_W + x * direction_of(pose.heading_rad) + y * left_of(pose.heading_rad);
   };
@@ -48,16 +53,16 @@ double sampled_clearance_m(const Field& field, const Hull& hull, const Pose& pos
       const Vector2d p = world(-hull.rear_m + (hull.front_m + hull.rear_m) * i / along,
                                -hull.half_width_m + 2.0 * hull.half_width_m * j / across);
       least_m = std::min(least_m, field_clearance_m(field, p));
-      for (const Obstacle& obstacle : field.obstacles) {
-        least_m = std::min(least_m, obstacle_gap_m(obstacle, p));
-      }
+      for (const Obstacle& obstacle : field.obstacles) look_at(obstacle, p);
     }
   }
   const int along_bar = static_cast<int>(2.0 * hull.bar_half_width_m / step_m) + 1;
   for (const Obstacle& obstacle : field.obstacles) {
     for (int i = 0; i <= along_bar; ++i) {
       const double y_m = hull.bar_half_width_m * (2.0 * i / along_bar - 1.0);
-      least_m = std::min(least_m, obstacle_gap_m(obstacle, world(hull.bar_x_m, y_m)));
+      for (const double x_m : {-0.5, -0.25, 0.0, 0.25, 0.5}) {
+        look_at(obstacle, world(hull.bar_x_m + x_m * kImplementDepth_m, y_m));
+      }
     }
   }
   return least_m;
@@ -97,6 +102,42 @@ RC_GTEST_PROP(FreeSpace, DiscAgreesWithExactDistance, ()) {
     exact_m = std::min(exact_m, obstacle_gap_m(obstacle, p_W));
   }
   RC_ASSERT(disc_fits(space, p_W, radius_m) == (exact_m > radius_m));
+}
+
+Field square_field();  // below
+
+TEST(FreeSpace, ObstaclesAreKeptThreeTimesAsFarAsEdges) {
+  Field field = square_field();
+  constexpr double kTree_m = 0.3;
+  constexpr double kAsked_m = 0.1;
+  field.obstacles.push_back({ObstacleKind::kTree, {25.0, 25.0}, kTree_m, 5.0});
+  const FreeSpace space = free_space(field, hull());
+  const auto before_tree = [&](double gap_m) {
+    return Pose{{25.0 - kTree_m - gap_m - hull().front_m, 25.0}, 0.0};
+  };
+  EXPECT_TRUE(fits(space, before_tree(3.01 * kAsked_m), kAsked_m));
+  EXPECT_FALSE(fits(space, before_tree(2.99 * kAsked_m), kAsked_m));
+  EXPECT_TRUE(fits(space, before_tree(0.01), 0.0));
+  EXPECT_NEAR(clearance_m(space, before_tree(0.15), 1.0), 0.05, kRounding_m);
+  const Pose before_edge{{50.0 - hull().front_m - 1.01 * kAsked_m, 25.0}, 0.0};
+  EXPECT_TRUE(fits(space, before_edge, kAsked_m));
+}
+
+// The implement is met by what stands ahead of or behind its working line too.
+TEST(FreeSpace, TheImplementIsAsDeepAsItIsInPhysics) {
+  Field field = square_field();
+  constexpr double kPole_m = 0.05;
+  const Pose pose{{25.0, 25.0}, 0.0};
+  const double aside_m = hull().bar_half_width_m - 0.5;
+  const auto depth_m = [&](double ahead_m) {
+    field.obstacles = {
+        {ObstacleKind::kPole, {25.0 + hull().bar_x_m + ahead_m, 25.0 + aside_m}, kPole_m, 5.0}};
+    return overrun(free_space(field, hull()), pose).depth_m;
+  };
+  const double touching_m = 0.5 * kImplementDepth_m + kPole_m;
+  EXPECT_NEAR(depth_m(touching_m - 0.02), 0.02, kRounding_m);
+  EXPECT_NEAR(depth_m(-touching_m + 0.02), 0.02, kRounding_m);
+  EXPECT_EQ(depth_m(touching_m + 0.001), 0.0);
 }
 
 Field square_field() {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "planner/free_space.h"
 #include "terrains/input_error.h"
 #include "tests/sim/test_drives.h"
 
@@ -176,6 +177,24 @@ TEST(Simulation, HitsATreeInItsWay) {
   const Vehicle vehicle = transplanter();
   const double front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
   EXPECT_NEAR(run.samples.back().p_WB.x() + front_m, 29.7, 0.15);  // one sample's travel
+}
+
+// Beside the hull and ahead of the implement: what planning takes for the vehicle is what collides.
+TEST(Simulation, ImplementMeetsATreeWherePlanningSays) {
+  const Vehicle vehicle = load_vehicle("utility_tractor");
+  Field field = test::open_field();
+  field.obstacles.push_back({ObstacleKind::kTree, {15.0, 3.0}, 0.3, 6.0});
+  const RunRecord run = test::run(test::straight(30.0), vehicle, test::plane(0.0, 0.0),
+                                  test::textbook_soil(), {}, field);
+  ASSERT_EQ(run.outcome, Outcome::kHitObstacle);
+  const FreeSpace space = free_space(field, hull_of(vehicle));
+  const RunSample& end = run.samples.back();
+  const auto depth_m = [&](double ahead_m) {
+    return overrun(space, {{end.p_WB.x() + ahead_m, end.p_WB.y()}, end.yaw_rad}).depth_m;
+  };
+  constexpr double kTravel_m = 0.3;  // of one sample and of the pitch
+  EXPECT_EQ(depth_m(-kTravel_m), 0.0);
+  EXPECT_GT(depth_m(kTravel_m), 0.0);
 }
 
 // A stone lower than the hull stops a wheel and passes between the wheels.
