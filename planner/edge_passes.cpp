@@ -282,7 +282,8 @@ void append_useful(const Edging& edging, Polyline line, EdgePass pass,
   double sum_m2 = 0.0;
   for (const double gain : gain_m2) sum_m2 += gain;
   if (sum_m2 < edging.least_m2) return;
-  work_along(edging.ground, line, width_m);
+  work_driven(edging.ground, edging.work_line_of(line).points, edging.request.implement_x_B_m,
+              width_m);
   pass.line_W = std::move(line);
   passes.push_back(std::move(pass));
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/arcs.h"
+
 namespace headland {
 namespace {
 
@@ -119,6 +121,22 @@ double work_along(WorkedGround& ground, const std::vector<Vector2d>& line_W, dou
   for (std::size_t i = 1; i < line_W.size(); ++i) {
     sum_m2 +=
         work(ground, between_bars(line_W[i - 1], line_W[i], half_bar_at(i - 1), half_bar_at(i)));
+  }
+  return sum_m2;
+}
+
+double work_driven(WorkedGround& ground, const std::vector<PathPoint>& points, double bar_x_m,
+                   double width_m) {
+  const auto middle_W = [&](const PathPoint& point) -> Vector2d {
+    return point.p_W + bar_x_m * direction_of(point.heading_rad);
+  };
+  const auto half_bar = [&](const PathPoint& point) -> Vector2d {
+    return 0.5 * width_m * left_of(point.heading_rad);
+  };
+  double sum_m2 = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    sum_m2 += work(ground, between_bars(middle_W(points[i - 1]), middle_W(points[i]),
+                                        half_bar(points[i - 1]), half_bar(points[i])));
   }
   return sum_m2;
 }

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "planner/arcs.h"
 #include "tests/planner/field_shapes.h"
 
 namespace headland {
@@ -40,6 +42,36 @@ TEST(WorkedGround, CountsWhatIsWorkedOnce) {
   EXPECT_EQ(work_along(ground, line, 4.0), 0.0);
   // Half of it lies beside the first, a quarter outside the field.
   EXPECT_NEAR(work_along(ground, {{5, 14}, {45, 14}}, 4.0), 35.0 * 4.0, slack_m2(ground, 78));
+}
+
+// On an arc of radius R the ends of a bar x behind the axle run on radii hypot(R +- w / 2, x).
+TEST(WorkedGround, ABarBehindATurningAxleSwingsOut) {
+  constexpr double kRadius_m = 5.0;
+  constexpr double kBehind_m = 2.0;
+  constexpr double kWidth_m = 6.0;
+  constexpr double kTurn_rad = 2.0;
+  const Field field = field_of("square", rectangle_ring(0, 0, 40, 40));
+  const Pose begin{{20.0, 15.0}, 0.0};  // about (20, 20)
+  const std::vector<PathPoint> points =
+      sample(begin, {{kTurn_rad * kRadius_m, 1.0 / kRadius_m}}, kPathSpacing_m)[0].points;
+  WorkedGround ground = ground_to_work(field);
+  const double rim_m = 2.0 * (kWidth_m + kTurn_rad * kRadius_m);
+  EXPECT_NEAR(work_driven(ground, points, -kBehind_m, kWidth_m), kTurn_rad * kRadius_m * kWidth_m,
+              slack_m2(ground, rim_m));
+  const Eigen::Vector2d middle_W(20.0, 20.0);
+  const double outer_m = std::hypot(kRadius_m + 0.5 * kWidth_m, kBehind_m);
+  const double inner_m = std::hypot(kRadius_m - 0.5 * kWidth_m, kBehind_m);
+  const Eigen::Vector2d aside = direction_of(-0.5 * kPi + 0.5 * kTurn_rad);
+  const double cell_m = 1.5 * ground.cell_m;
+  EXPECT_EQ(state_at(ground, middle_W + (outer_m - cell_m) * aside), GroundState::kWorked);
+  EXPECT_EQ(state_at(ground, middle_W + (outer_m + cell_m) * aside), GroundState::kToWork);
+  EXPECT_EQ(state_at(ground, middle_W + (inner_m - cell_m) * aside), GroundState::kToWork);
+  // Negative control: a bar whose middle follows the line works inside of that.
+  WorkedGround followed = ground_to_work(field);
+  std::vector<Eigen::Vector2d> line_W;
+  for (const PathPoint& point : points) line_W.push_back(point.p_W);
+  work_along(followed, line_W, kWidth_m);
+  EXPECT_EQ(state_at(followed, middle_W + (inner_m - cell_m) * aside), GroundState::kWorked);
 }
 
 }  // namespace
