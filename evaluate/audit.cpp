@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "evaluate/ground_patches.h"
+#include "evaluate/line_headings.h"
 #include "evaluate/path_check.h"
 #include "planner/free_space.h"
 #include "terrains/input_error.h"
@@ -60,15 +60,6 @@ std::vector<Stretch> stretches_of(const std::vector<PathLine>& lines) {
 
 double direction_rad(const Eigen::Vector2d& edge) { return std::atan2(edge.y(), edge.x()); }
 
-// The radius of the curve that a corner between these edges stands for.
-double corner_radius_m(double turn_rad, double edge_before_m, double edge_after_m) {
-  constexpr double kStraight_rad = 1e-9;
-  const double angle_rad = std::abs(turn_rad);
-  if (angle_rad < kStraight_rad) return std::numeric_limits<double>::infinity();
-  return std::min(0.5 * (edge_before_m + edge_after_m) / angle_rad,
-                  kCornerTolerance_m / (1.0 / std::cos(0.5 * angle_rad) - 1.0));
-}
-
 double turn_at(const Stretch& stretch, std::size_t corner) {
   const Eigen::Vector2d before = stretch[corner].p_W - stretch[corner - 1].p_W;
   const Eigen::Vector2d after = stretch[corner + 1].p_W - stretch[corner].p_W;
@@ -98,10 +89,28 @@ std::vector<bool> gear_changes_of(const Stretch& stretch) {
   return changes;
 }
 
+// Of every edge of a stretch, the vehicle's as if it drove forward.
+std::vector<EdgeHeading> headings_of(const Stretch& stretch, const std::vector<bool>& changes_gear,
+                                     double least_radius_m) {
+  std::vector<EdgeHeading> headings;
+  std::vector<Eigen::Vector2d> points_W{stretch.front().p_W};
+  for (std::size_t i = 1; i < stretch.size(); ++i) {
+    points_W.push_back(stretch[i].p_W);
+    if (!changes_gear[i] && i + 1 < stretch.size()) continue;
+    const std::vector<EdgeHeading> piece = edge_headings(points_W, least_radius_m);
+    headings.insert(headings.end(), piece.begin(), piece.end());
+    points_W = {stretch[i].p_W};
+  }
+  return headings;
+}
+
 // Adds the states of a stretch, its corners' findings and what it adds to the totals.
 void drive_along(const Stretch& stretch, double least_radius_m, Audit& audit,
                  std::vector<State>& states, std::vector<Finding>& findings) {
+  if (stretch.size() < 2) return;
   const std::vector<bool> changes_gear = gear_changes_of(stretch);
+  const double tightest_m = kTooTightShare * least_radius_m;
+  const std::vector<EdgeHeading> headings = headings_of(stretch, changes_gear, tightest_m);
   bool reverse = false;
   for (std::size_t i = 1; i < stretch.size(); ++i) {
     const Eigen::Vector2d edge = stretch[i].p_W - stretch[i - 1].p_W;
@@ -110,21 +119,22 @@ void drive_along(const Stretch& stretch, double least_radius_m, Audit& audit,
       reverse = !reverse;
       ++audit.gear_changes;
     } else if (i > 1) {
-      const double before_m = (stretch[i - 1].p_W - stretch[i - 2].p_W).norm();
+      const double before_m = headings[i - 2].length_m;
       const double turn_rad = turn_at(stretch, i - 1);
       const double radius_m = corner_radius_m(turn_rad, before_m, edge_m);
-      if (radius_m < kTooTightShare * least_radius_m) {
+      if (radius_m < tightest_m) {
         findings.push_back({AuditFault::kTooTight, stretch[i - 1].p_W, audit.length_m,
                             radius_m * std::abs(turn_rad), radius_m});
       }
     }
-    const double heading_rad = wrap_angle(direction_rad(edge) + (reverse ? std::numbers::pi : 0.0));
     const auto steps = static_cast<std::size_t>(std::ceil(edge_m / kPathSpacing_m));
     const double step_m = edge_m / static_cast<double>(steps);
-    // Both headings of a corner are states: the hull of the edge before and that of this one.
+    // Of a sharp corner both headings are states: the hull of the edge before and that of this one.
     for (std::size_t step = 0; step <= steps; ++step) {
       const double share = static_cast<double>(step) / static_cast<double>(steps);
-      State state{{stretch[i - 1].p_W + share * edge, heading_rad}};
+      const double heading_rad = heading_on(headings[i - 1], share * edge_m);
+      State state{{stretch[i - 1].p_W + share * edge,
+                   wrap_angle(heading_rad + (reverse ? std::numbers::pi : 0.0))}};
       state.along_m = audit.length_m + share * edge_m;
       state.step_m = step > 0 ? step_m : 0.0;
       state.down = stretch[i].down;

@@ -61,21 +61,21 @@ struct Audit {
   std::vector<GroundPatch> overlapped;
 };
 
-// The hull stands at states kPathSpacing_m apart or nearer, B's origin on the line and its heading
-// along it; where the line turns back by more than kGearChange_rad, and back again or ends within
-// kLongestReverse_m, the vehicle changes gear and keeps its heading. It begins in forward gear. A
-// corner stands for a curve over half of both its edges, chords of an arc for that arc, but for
-// none wider than rounds it within kCornerTolerance_m. A vehicle that pivots (skid steering) has no
-// limit there. Lines that end and begin further apart than kMaxSegmentGap_m (path_check.h) make a
-// jump. Coverage is the implement's where it is down, straight across the vehicle at
-// implement.x_B_m. Field and vehicle decide the answer, not who made the path. Throws InputError as
-// measure_coverage does, and for lines without length.
+// The hull stands at states kPathSpacing_m apart or nearer, B's origin on the line and headed along
+// the curve that its points are read as (line_headings.h); where the line turns back by more than
+// kGearChange_rad, and back again or ends within kLongestReverse_m, the vehicle changes gear and
+// keeps its heading. It begins in forward gear. A corner stands for a curve over half of both its
+// edges, chords of an arc for that arc, but for none wider than rounds it within
+// kCornerTolerance_m. A vehicle that pivots (skid steering) has no limit there. Lines that end and
+// begin further apart than kMaxSegmentGap_m (path_check.h) make a jump. Coverage is the implement's
+// where it is down, straight across the vehicle at implement.x_B_m. Field and vehicle decide the
+// answer, not who made the path. Throws InputError as measure_coverage does, and for lines without
+// length.
 Audit audit_path(const Field& field, const Vehicle& vehicle, const std::vector<PathLine>& lines,
                  double coverage_cell_m, const std::string& source = "path");
 
 inline constexpr double kGearChange_rad = 2.356;  // 135 deg
 inline constexpr double kLongestReverse_m = 30.0;
-inline constexpr double kCornerTolerance_m = 0.1;
 inline constexpr double kTooTightShare = 0.98;  // of the vehicle's radius: estimates from points
 inline constexpr double kLeastPatch_m2 = 1.0;
 

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "evaluate/plan_file.h"
+#include "planner/arcs.h"
 #include "planner/drivable_path.h"
 #include "planner/planners.h"
 #include "terrains/input_error.h"
@@ -96,6 +97,33 @@ TEST(Audit, ComparesCurvesWithTheSteering) {
     // 2 %: chords of 1 m on a circle of 2 m are shorter than their arcs.
     EXPECT_NEAR(totals_of(tight, AuditFault::kTooTight).worst, 0.9 * least_m, 0.02 * least_m);
   }
+}
+
+// Past trees at the end of a 9 m bar that swings along an arc: the directions of its chords are
+// half an edge's turn off, which is 0.13 m there.
+TEST(Audit, KnowsWhereABarSwingsThoughPathsArePoints) {
+  const Vehicle vehicle = load_vehicle("utility_tractor");
+  const double radius_m = planning_turning_radius_m(vehicle);
+  const Pose begin{{30.0, 20.0}, 0.0};
+  const std::vector<Arc> arcs = {{3.0, 0.0}, {9.0, 1.0 / radius_m}, {3.0, 0.0}};
+  PathSegment turn = sample(begin, arcs, kPathSpacing_m)[0];
+  Path path;
+  path.segments.push_back(turn);
+  // The bar's outer end swings on this circle about the arc's centre.
+  const double bar_x_m = std::abs(vehicle.implement.x_B_m) + 0.5 * kImplementDepth_m;
+  const double swing_m = std::hypot(radius_m + 0.5 * vehicle.implement.working_width_m, bar_x_m);
+  const Eigen::Vector2d centre_W = pose_along(begin, arcs[0], 3.0).p_W + radius_m * left_of(0.0);
+  const auto faults_at = [&](double gap_m) {
+    constexpr double kTree_m = 0.2;
+    Field field = audited_field();
+    field.obstacles.push_back({ObstacleKind::kTree,
+                               centre_W + (swing_m + kTree_m + gap_m) * direction_of(-0.9), kTree_m,
+                               5.0});
+    const Audit audit = audit_path(field, vehicle, lines_of(path), kAuditCell_m);
+    return totals_of(audit, AuditFault::kInObstacle).places;
+  };
+  EXPECT_EQ(faults_at(0.02), 0);
+  EXPECT_EQ(faults_at(-0.05), 1);
 }
 
 TEST(Audit, ACornerOfLongEdgesIsTightUnlessTheVehiclePivots) {
