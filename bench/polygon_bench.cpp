@@ -3,7 +3,7 @@
 // Usage: polygon_bench suite [--fields N] [--first N] [--vehicle NAME] [--set KEY=VALUE] [--json]
 //        polygon_bench drive [--fields N] [--most-ha HA] [--vehicle NAME] [--set KEY=VALUE]
 //        [--json]
-//        polygon_bench times [--json]
+//        polygon_bench times [--swaths N] [--field FILE] [--set KEY=VALUE] [--json]
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
@@ -149,11 +149,17 @@ int main(int argc, char** argv) {
   drive->add_option("--set", asked.set, "KEY=VALUE: a parameter of the planner");
   drive->add_flag("--json", asked.json, "Print JSON");
   auto* times = app.add_subcommand("times", "Time and memory over the number of swaths");
+  headland::bench::TimesAsked sizes;
+  times->add_option("--swaths", sizes.swaths, "How many");
+  times->add_option("--field", sizes.files, "Files with fields to be planned too");
+  times->add_option("--set", asked.set, "KEY=VALUE: a parameter of the planner for them");
   times->add_flag("--json", asked.json, "Print JSON");
   CLI11_PARSE(app, argc, argv);
   try {
     if (times->parsed()) {
-      headland::bench::print_planning_times(asked.json);
+      sizes.parameters = headland::bench::parameters_of(asked);
+      sizes.json = asked.json;
+      headland::bench::print_planning_times(sizes);
       return EXIT_SUCCESS;
     }
     if (drive->parsed()) {
