@@ -1,10 +1,13 @@
 #include "planner/ring_smoothing.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace headland {
 namespace {
@@ -54,16 +57,53 @@ PolygonSet clear_ground(const Rounding& rounding) {
 PolygonSet kept_out_of(const PolygonSet& ground, const PolygonSet& clear, const PolygonPart& around,
                        double radius_m, const CancelAsked& cancelled) {
   const PolygonSet place{{around}};
-  const PolygonSet near = intersection(ground, buffered(place, 2.0 * radius_m, Join::kRound));
+  const PolygonSet surroundings = buffered(place, 2.0 * radius_m, Join::kRound);
+  const PolygonSet near = intersection(ground, surroundings);
+  const PolygonSet clear_near = intersection(clear, surroundings);
   double low_m = 0.0;
   double high_m = radius_m;
   for (int i = 0; i < kSwingBisections; ++i) {
     stop_if(cancelled);
     const double shift_m = 0.5 * (low_m + high_m);
     const PolygonSet shifted = closed_by(buffered(near, -shift_m, Join::kMitre), radius_m);
-    (covers(clear, intersection(shifted, place)) ? high_m : low_m) = shift_m;
+    (covers(clear_near, intersection(shifted, place)) ? high_m : low_m) = shift_m;
   }
   return opened_by(difference(place, buffered(near, -high_m, Join::kMitre)), radius_m);
+}
+
+Eigen::AlignedBox2d box_of(std::span<const PolygonPart> parts) {
+  Eigen::AlignedBox2d box;
+  for (const PolygonPart& part : parts) {
+    for (const Eigen::Vector2d& p_W : part.outer) box.extend(p_W);
+  }
+  return box;
+}
+
+// The same for many places, by halves with the ground around them, so that not all of it is looked
+// at for each.
+void append_kept_out(const PolygonSet& ground, const PolygonSet& clear,
+                     std::span<PolygonPart> places, double radius_m, const CancelAsked& cancelled,
+                     std::vector<PolygonSet>& kept_out) {
+  if (places.size() == 1) {
+    kept_out.push_back(kept_out_of(ground, clear, places.front(), radius_m, cancelled));
+    return;
+  }
+  const Eigen::Vector2d size = box_of(places).sizes();
+  const Eigen::Index axis = size.x() > size.y() ? 0 : 1;
+  const std::size_t half = places.size() / 2;
+  std::ranges::stable_sort(places, {}, [axis](const PolygonPart& part) {
+    return box_of(std::span(&part, 1)).center()[axis];
+  });
+  for (const std::span<PolygonPart> some : {places.first(half), places.subspan(half)}) {
+    Eigen::AlignedBox2d box = box_of(some);
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(3.0 * radius_m);
+    box = {box.min() - margin, box.max() + margin};
+    const Ring corners{
+        box.min(), {box.max().x(), box.min().y()}, box.max(), {box.min().x(), box.max().y()}};
+    const PolygonSet around{{{corners, {}}}};
+    append_kept_out(intersection(ground, around), intersection(clear, around), some, radius_m,
+                    cancelled, kept_out);
+  }
 }
 
 }  // namespace
@@ -76,11 +116,11 @@ PolygonSet passable(const PolygonSet& ground, const Rounding& rounding,
   if (covers(clear, free)) return free;
   // Shifting only around those places: a union of sets that a disc can be rolled around inside is
   // such a set again, so the swing keeps the radius.
-  const PolygonSet places = buffered(difference(free, clear), 2.0 * radius_m, Join::kRound);
-  for (const PolygonPart& place : places.parts) {
-    free = difference(free, kept_out_of(ground, clear, place, radius_m, cancelled));
-  }
-  return free;
+  PolygonSet places = buffered(difference(free, clear), 2.0 * radius_m, Join::kRound);
+  if (places.parts.empty()) return free;
+  std::vector<PolygonSet> kept_out;
+  append_kept_out(ground, clear, places.parts, radius_m, cancelled, kept_out);
+  return difference(free, united(kept_out));
 }
 
 PolygonSet rounded(const PolygonSet& ground, const Rounding& rounding,

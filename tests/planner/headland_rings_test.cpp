@@ -177,5 +177,27 @@ TEST(RingSmoothing, TightestRadiusSeesASharpCorner) {
   EXPECT_LT(tightest_radius_m(square, 1.0), 1.5);
 }
 
+// Ground around holes that closing comes too near to is looked at place by place.
+TEST(RingSmoothing, SwingsOutAroundEveryHoleAsAroundOneAlone) {
+  const auto lost_m2 = [](int holes) {
+    Field field = field_of("holes", rectangle_ring(0, 0, 400, 60));
+    for (int i = 0; i < holes; ++i) {
+      const double x_m = 30.0 + 45.0 * i;
+      field.holes.push_back(  // clockwise
+          {{x_m, 30.0}, {x_m, 32.0}, {x_m + 1.0, 32.0}, {x_m + 1.0, 30.0}});
+    }
+    const PolygonSet limit = from_field(field);
+    const PolygonSet ground = buffered(limit, -2.0, Join::kMitre);
+    const PolygonSet passed = passable(ground, {6.0, 6.0, limit, 2.0});
+    EXPECT_EQ(passed.parts.size(), 1U);
+    return 400.0 * 60.0 - area_m2(passed);
+  };
+  const double none_m2 = lost_m2(0);
+  const double one_m2 = lost_m2(1) - none_m2;
+  EXPECT_GT(one_m2, pi * 2.0 * 2.0);
+  constexpr double kChords_m2 = 0.01;
+  EXPECT_NEAR(lost_m2(8) - none_m2, 8.0 * one_m2, 8.0 * kChords_m2);
+}
+
 }  // namespace
 }  // namespace headland
