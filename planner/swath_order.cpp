@@ -1,6 +1,9 @@
 #include "planner/swath_order.h"
 
 #include <algorithm>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -76,22 +79,30 @@ class SwathLinks {
   std::unordered_map<std::uint64_t, double> known_m_;
 };
 
-// Of each end the nearest ends of other swaths.
+// Of each end the nearest ends of other swaths, nearest first.
 std::vector<std::vector<std::size_t>> neighbours_of(const std::vector<Vector2d>& ends_W,
                                                     const CancelAsked& cancelled) {
+  namespace bg = boost::geometry;
+  using Point = bg::model::point<double, 2, bg::cs::cartesian>;
+  using End = std::pair<Point, std::size_t>;
+  std::vector<End> ends;
+  for (const Vector2d& p_W : ends_W) ends.emplace_back(Point(p_W.x(), p_W.y()), ends.size());
+  const bg::index::rtree<End, bg::index::rstar<16>> tree(ends);
   std::vector<std::vector<std::size_t>> neighbours(ends_W.size());
   std::vector<std::pair<double, std::size_t>> others;
-  for (std::size_t end = 0; end < ends_W.size(); ++end) {
+  for (const auto& [at, end] : ends) {
     stop_if(cancelled);
     others.clear();
-    for (std::size_t other = 0; other < ends_W.size(); ++other) {
-      if (other / 2 != end / 2) {
-        others.emplace_back((ends_W[other] - ends_W[end]).squaredNorm(), other);
-      }
+    // The swath's own two ends come with them.
+    for (auto near = tree.qbegin(bg::index::nearest(at, unsigned{kNeighbours} + 2));
+         near != tree.qend(); ++near) {
+      const std::size_t other = near->second;
+      if (other / 2 == end / 2) continue;
+      others.emplace_back((ends_W[other] - ends_W[end]).squaredNorm(), other);
     }
-    const std::size_t count = std::min(kNeighbours, others.size());
-    std::ranges::partial_sort(others, others.begin() + static_cast<std::ptrdiff_t>(count));
-    for (std::size_t k = 0; k < count; ++k) neighbours[end].push_back(others[k].second);
+    std::ranges::sort(others);
+    others.resize(std::min(kNeighbours, others.size()));
+    for (const auto& [away_m2, other] : others) neighbours[end].push_back(other);
   }
   return neighbours;
 }
