@@ -1,7 +1,10 @@
 #include "evaluate/plan_scenario.h"
 
+#include <utility>
+
 #include "evaluate/planner_cost.h"
 #include "planner/grid_planners.h"
+#include "planner/least_energy_path.h"
 #include "planner/planners.h"
 #include "terrains/input_error.h"
 
@@ -9,14 +12,18 @@ namespace headland {
 namespace {
 
 // What a planner refuses of its request stands in the scenario.
-Plan planned(const Scenario& scenario, const Stage& stage, const std::optional<DriveCost>& cost,
-             const CancelAsked& cancelled) {
+PlannedPath planned(const Scenario& scenario, const Stage& stage,
+                    const std::optional<DriveCost>& cost, const CancelAsked& cancelled) {
   const std::string source = scenario.file.string();
   PlanRequest request = plan_request(scenario, stage);
   if (cost) request.cost = &*cost;
   request.cancelled = cancelled;
+  const PlannerEntry& planner = find_planner(scenario.planner.name, source);
   try {
-    return find_planner(scenario.planner.name, source).plan(request);
+    if (cost) return least_energy_path(planner, request, stage.vehicle, scenario.path);
+    PlannedPath made{planner.plan(request), {}};
+    made.path = make_path(stage.field, stage.vehicle, made.plan, scenario.path, cancelled);
+    return made;
   } catch (const InputError& refused) {
     if (refused.where == "working_width_m") {
       throw InputError(source, "implement.working_width_m", refused.value, refused.allowed);
@@ -68,8 +75,9 @@ PlanResult plan_scenario(const Scenario& scenario, const Stage& stage,
     made.plan = made.grid_drive->plan;
     made.path = made.grid_drive->path;
   } else {
-    made.plan = planned(scenario, stage, cost, cancelled);
-    made.path = make_path(stage.field, stage.vehicle, made.plan, scenario.path, cancelled);
+    PlannedPath best = planned(scenario, stage, cost, cancelled);
+    made.plan = std::move(best.plan);
+    made.path = std::move(best.path);
   }
   predict_by(scenario, cost, stage, made);
   return made;

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
-#include "planner/turns.h"
+#include "planner/line_energy.h"
 
 namespace headland {
 namespace {
@@ -62,28 +61,13 @@ double slope_through(const GridGraph& graph, int node, int direction) {
   return steps == 0 ? 0.0 : (after_m - before_m) / (steps * graph.cell_m);
 }
 
-double energy_wh(const DriveCost& cost, const std::vector<Arc>& arcs) {
-  double quarters = 0.0;
-  for (const Arc& arc : arcs) {
-    quarters += arc.length_m * std::abs(arc.curvature_per_m) / kQuarter_rad;
-  }
-  const MovementCost& movement = cost.movement;
-  return length_m(arcs) * wh_per_m(cost.raised, 0.0) + movement.cycle_wh +
-         movement.quarter_wh * quarters + movement.cusp_wh * cusp_count(arcs);
-}
-
 // From the end of a row, worked to its last cell's edge, to the begin of the column beside that
 // cell.
 double corner_price(const DriveCost& cost, double cell_m) {
   const double reach_m = 0.5 * cell_m - cost.implement_x_m;
   const Pose row_end{{reach_m, 0.0}, 0.0};
   const Pose column_begin{{0.0, reach_m}, kQuarter_rad};
-  const Gears gears = cost.forward_only ? Gears::kForwardOnly : Gears::kBoth;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Turn& turn : turns(row_end, column_begin, cost.turning_radius_m, gears)) {
-    least = std::min(least, energy_wh(cost, turn.arcs));
-  }
-  return least;
+  return least_turn_wh(cost, nullptr, row_end, column_begin);
 }
 
 }  // namespace

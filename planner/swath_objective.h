@@ -2,6 +2,7 @@
 #pragma once
 
 #include "planner/drive_cost.h"
+#include "planner/line_energy.h"
 #include "planner/swaths.h"
 #include "terrains/heightfield.h"
 
@@ -22,7 +23,6 @@ SwathGridCost least_length();
 // than kMostEnergySteps of these. `terrain` (null: flat) and `cost` must outlive the result; `cost`
 // has row turns. The ways to and from far swaths are not counted.
 SwathGridCost least_energy(const DriveCost& cost, const Heightfield* terrain);
-inline constexpr double kEnergyStep_m = 2.0;
 inline constexpr double kMostEnergySteps = 2e4;
 
 }  // namespace headland

@@ -11,6 +11,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "planner/drive_cost.h"
+#include "planner/line_energy.h"
 #include "planner/turns.h"
 
 namespace headland {
@@ -18,8 +20,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Savings below this are rounding [m].
-constexpr double kLeastSaving_m = 1e-6;
+// Savings below this are rounding, of metres and of W h.
+constexpr double kLeastSaving = 1e-6;
 constexpr std::size_t kLongestStretch = 3;
 
 // Ends are counted 2 i (front) and 2 i + 1 (back of swath i); a swath driven from its end e is the
@@ -31,7 +33,25 @@ Pose pose_into(const Vector2d& at_W, const Vector2d& to_W) {
   return {at_W, std::atan2(along.y(), along.x())};
 }
 
-double turn_cost_m(const Pose& from, const Pose& to, const TurnCosts& costs) {
+// The implement works where swaths end, the axle goes on.
+Pose axle_at(const Pose& pose, const DriveCost& cost) {
+  return {pose.p_W - cost.implement_x_m * direction_of(pose.heading_rad), pose.heading_rad};
+}
+
+double measured_turn_wh(const Pose& from, const Pose& to, const TurnCosts& costs) {
+  const DriveCost& cost = *costs.measured;
+  const Pose out = axle_at(from, cost);
+  const Pose in = axle_at(to, cost);
+  const double half_circle_m = std::numbers::pi * cost.turning_radius_m;
+  const double crow_wh = line_wh(cost.raised, costs.terrain, out.p_W, in.p_W) +
+                         turn_wh(cost, {{half_circle_m, 1.0 / cost.turning_radius_m}});
+  if ((in.p_W - out.p_W).norm() > kNearTurns * cost.turning_radius_m) return crow_wh;
+  const double least_wh = least_turn_wh(cost, costs.terrain, out, in);
+  return std::isfinite(least_wh) ? least_wh : 2.0 * crow_wh;
+}
+
+double turn_cost(const Pose& from, const Pose& to, const TurnCosts& costs) {
+  if (costs.measured != nullptr) return measured_turn_wh(from, to, costs);
   const double away_m = (to.p_W - from.p_W).norm();
   const double half_circle_m = std::numbers::pi * costs.turning_radius_m;
   if (away_m > kNearTurns * costs.turning_radius_m) return away_m + half_circle_m;
@@ -51,20 +71,36 @@ class SwathLinks {
   }
   const std::vector<Vector2d>& ends_W() const { return ends_W_; }
 
-  double from_start_m(SwathStop to) const {
-    return from_W_ ? (ends_W_[to] - *from_W_).norm() : 0.0;
+  // By measured costs it matters which way a stretch is driven, as it does on slopes.
+  bool directed() const { return costs_.measured != nullptr; }
+
+  double from_start(SwathStop to) const {
+    if (!from_W_) return 0.0;
+    if (!directed()) return (ends_W_[to] - *from_W_).norm();
+    return line_wh(costs_.measured->transit, costs_.terrain, *from_W_, ends_W_[to]);
   }
-  // Driving one and then the other; the same backwards, as curves and their costs are.
-  double between_m(SwathStop from, SwathStop to) {
-    const std::uint64_t left = from ^ 1U;
-    const std::uint64_t key =
-        std::min<std::uint64_t>(left, to) * ends_W_.size() + std::max<std::uint64_t>(left, to);
-    const auto known = known_m_.find(key);
-    if (known != known_m_.end()) return known->second;
-    const double cost_m =
-        turn_cost_m(pose_out_of(from), pose_into(ends_W_[to], ends_W_[to ^ 1U]), costs_);
-    known_m_.emplace(key, cost_m);
-    return cost_m;
+  // Along a swath; 0 in metres, which are the same in any order.
+  double along(SwathStop stop) {
+    if (!directed()) return 0.0;
+    if (along_.empty()) along_.assign(ends_W_.size(), -1.0);
+    if (along_[stop] < 0.0) {
+      along_[stop] =
+          line_wh(costs_.measured->working, costs_.terrain, ends_W_[stop], ends_W_[stop ^ 1U]);
+    }
+    return along_[stop];
+  }
+  // Driving one and then the other; in metres the same backwards, as curves and their costs are.
+  double between(SwathStop from, SwathStop to) {
+    std::uint64_t left = from ^ 1U;
+    std::uint64_t right = to;
+    if (!directed() && right < left) std::swap(left, right);
+    const std::uint64_t key = left * ends_W_.size() + right;
+    const auto known = known_.find(key);
+    if (known != known_.end()) return known->second;
+    const double cost =
+        turn_cost(pose_out_of(from), pose_into(ends_W_[to], ends_W_[to ^ 1U]), costs_);
+    known_.emplace(key, cost);
+    return cost;
   }
 
  private:
@@ -76,7 +112,8 @@ class SwathLinks {
   std::vector<Vector2d> ends_W_;
   std::optional<Vector2d> from_W_;
   TurnCosts costs_;
-  std::unordered_map<std::uint64_t, double> known_m_;
+  std::unordered_map<std::uint64_t, double> known_;
+  std::vector<double> along_;  // of each stop; below 0: not known
 };
 
 // Of each end the nearest ends of other swaths, nearest first.
@@ -110,22 +147,42 @@ std::vector<std::vector<std::size_t>> neighbours_of(const std::vector<Vector2d>&
 struct SwathTour {
   SwathLinks& links;
   std::vector<SwathStop> stops;
-  std::vector<std::size_t> place;  // of each swath among the stops
+  std::vector<std::size_t> place{};  // of each swath among the stops
+  // What the stops before each take more driven backwards than as they are, and likewise the links
+  // that lead to stops up to it. Of directed links alone.
+  std::vector<double> stops_back{};
+  std::vector<double> links_back{};
 
   // From the stop before `at` to it.
-  double link_m(std::size_t at) const {
+  double link(std::size_t at) const {
     if (at == stops.size()) return 0.0;
-    return at == 0 ? links.from_start_m(stops[0]) : links.between_m(stops[at - 1], stops[at]);
+    return at == 0 ? links.from_start(stops[0]) : links.between(stops[at - 1], stops[at]);
   }
   // The same if other stops were driven there; none after the last.
-  double before_m(std::size_t at, SwathStop stop) const {
-    return at == 0 ? links.from_start_m(stop) : links.between_m(stops[at - 1], stop);
+  double before(std::size_t at, SwathStop stop) const {
+    return at == 0 ? links.from_start(stop) : links.between(stops[at - 1], stop);
   }
-  double after_m(SwathStop stop, std::size_t at) const {
-    return at == stops.size() ? 0.0 : links.between_m(stop, stops[at]);
+  double after(SwathStop stop, std::size_t at) const {
+    return at == stops.size() ? 0.0 : links.between(stop, stops[at]);
+  }
+  // What the stretch [first, end) takes more driven backwards, but for the links to it and from it.
+  double turned(std::size_t first, std::size_t end) const {
+    if (!links.directed()) return 0.0;
+    return stops_back[end] - stops_back[first] + links_back[end - 1] - links_back[first];
   }
   void number(std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) place[stops[i] / 2] = i;
+    if (!links.directed()) return;
+    stops_back.resize(stops.size() + 1, 0.0);
+    links_back.resize(stops.size(), 0.0);
+    for (std::size_t i = first; i < stops.size(); ++i) {
+      const SwathStop stop = stops[i];
+      stops_back[i + 1] = stops_back[i] + links.along(stop ^ 1U) - links.along(stop);
+      if (i == 0) continue;
+      const SwathStop before_it = stops[i - 1];
+      links_back[i] = links_back[i - 1] + links.between(stop ^ 1U, before_it ^ 1U) -
+                      links.between(before_it, stop);
+    }
   }
   void reverse(std::size_t first, std::size_t end) {
     const auto begin = stops.begin();
@@ -139,10 +196,10 @@ struct SwathTour {
 // Drives the stretch [first, end) backwards if that saves something.
 bool try_reversal(SwathTour& tour, std::size_t first, std::size_t end) {
   if (first >= end) return false;
-  const double now_m = tour.link_m(first) + tour.link_m(end);
-  const double then_m =
-      tour.before_m(first, tour.stops[end - 1] ^ 1U) + tour.after_m(tour.stops[first] ^ 1U, end);
-  if (then_m > now_m - kLeastSaving_m) return false;
+  const double now = tour.link(first) + tour.link(end);
+  const double then = tour.before(first, tour.stops[end - 1] ^ 1U) +
+                      tour.after(tour.stops[first] ^ 1U, end) + tour.turned(first, end);
+  if (then > now - kLeastSaving) return false;
   tour.reverse(first, end);
   return true;
 }
@@ -153,10 +210,11 @@ bool try_move(SwathTour& tour, std::size_t first, std::size_t end, std::size_t t
   if (to >= first && to <= end) return false;
   const SwathStop head = reversed ? tour.stops[end - 1] ^ 1U : tour.stops[first];
   const SwathStop tail = reversed ? tour.stops[first] ^ 1U : tour.stops[end - 1];
-  double saved_m = tour.link_m(first) + tour.link_m(end);
-  if (end < tour.stops.size()) saved_m -= tour.before_m(first, tour.stops[end]);
-  const double added_m = tour.before_m(to, head) + tour.after_m(tail, to) - tour.link_m(to);
-  if (added_m > saved_m - kLeastSaving_m) return false;
+  double saved = tour.link(first) + tour.link(end);
+  if (end < tour.stops.size()) saved -= tour.before(first, tour.stops[end]);
+  double added = tour.before(to, head) + tour.after(tail, to) - tour.link(to);
+  if (reversed) added += tour.turned(first, end);
+  if (added > saved - kLeastSaving) return false;
   if (reversed) tour.reverse(first, end);
   const auto at = [&](std::size_t i) {
     return tour.stops.begin() + static_cast<std::ptrdiff_t>(i);
@@ -206,18 +264,20 @@ bool improve_by_moving(SwathTour& tour, const std::vector<std::vector<std::size_
 
 }  // namespace
 
-double link_cost_m(const Pass& from, const Pass& to, const TurnCosts& costs) {
-  return turn_cost_m(end_pose(from.points_W), begin_pose(to.points_W), costs);
+double link_cost(const Pass& from, const Pass& to, const TurnCosts& costs) {
+  return turn_cost(end_pose(from.points_W), begin_pose(to.points_W), costs);
 }
 
-double order_cost_m(const std::vector<Pass>& swaths, const std::optional<Vector2d>& from_W,
-                    const TurnCosts& costs) {
+double order_cost(const std::vector<Pass>& swaths, const std::optional<Vector2d>& from_W,
+                  const TurnCosts& costs) {
   if (swaths.empty()) return 0.0;
-  double sum_m = from_W ? (swaths.front().points_W.front() - *from_W).norm() : 0.0;
-  for (std::size_t i = 1; i < swaths.size(); ++i) {
-    sum_m += link_cost_m(swaths[i - 1], swaths[i], costs);
+  SwathLinks links(swaths, from_W, costs);
+  double sum = links.from_start(0);
+  for (std::size_t i = 0; i < swaths.size(); ++i) {
+    sum += links.along(2 * i);
+    if (i > 0) sum += links.between(2 * i - 2, 2 * i);
   }
-  return sum_m;
+  return sum;
 }
 
 std::vector<Pass> optimised_order(std::vector<Pass> swaths, const std::optional<Vector2d>& from_W,
@@ -225,7 +285,8 @@ std::vector<Pass> optimised_order(std::vector<Pass> swaths, const std::optional<
   if (swaths.size() < 2) return swaths;
   SwathLinks links(swaths, from_W, costs);
   const auto neighbours = neighbours_of(links.ends_W(), cancelled);
-  SwathTour tour{links, {}, std::vector<std::size_t>(swaths.size())};
+  SwathTour tour{links, {}};
+  tour.place.resize(swaths.size());
   for (std::size_t i = 0; i < swaths.size(); ++i) tour.stops.push_back(2 * i);
   tour.number(0, swaths.size());
   try_reversal(tour, 0, swaths.size());

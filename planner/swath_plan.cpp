@@ -48,6 +48,15 @@ SwathGrid swaths_along(const std::array<Vector2d, 2>& line, const PlanRequest& r
   return lay_swaths(inner, drivable, direction_rad, request.working_width_m, bridge_m, through_m);
 }
 
+bool by_energy(const PlanRequest& request) {
+  return request.cost != nullptr && !request.cost->row_turns.empty();
+}
+
+bool is_optimised(const PlanRequest& request) {
+  const std::string& order = word(request.parameters, "swath_order");
+  return order == "optimised" || (order == "auto" && by_energy(request));
+}
+
 std::size_t skip_of(const SwathGrid& grid, const PlanRequest& request) {
   const auto asked = number_unless_word(request.parameters, "swath_skip");
   return asked ? static_cast<std::size_t>(*asked)
@@ -87,17 +96,19 @@ std::span<const ParameterSpec> swath_parameters() {
        {"auto"},
        "direction of the swaths, counter-clockwise from east; auto: the best one"},
       {"swath_objective",
-       std::string("length_and_turns"),
+       std::string("auto"),
        0.0,
        0.0,
-       {"length_and_turns", "turns", "length", "energy"},
-       "what the best direction has least of; energy needs measured costs"},
+       {"auto", "length_and_turns", "turns", "length", "energy"},
+       "what the best direction has least of; auto: energy with measured costs, which it needs, "
+       "else length_and_turns"},
       {"swath_order",
-       std::string("boustrophedon"),
+       std::string("auto"),
        0.0,
        0.0,
-       {"boustrophedon", "skip", "spiral", "optimised"},
-       "next to next, with some left between, from both sides inwards, or by what turns cost"},
+       {"auto", "boustrophedon", "skip", "spiral", "optimised"},
+       "next to next, with some left between, from both sides inwards, or by what turns cost; "
+       "auto: by that with measured costs, else next to next"},
       {"swath_skip",
        std::string("auto"),
        1.0,
@@ -123,10 +134,11 @@ SwathGridCost swath_cost(const PlanRequest& request) {
   const std::string& objective = word(request.parameters, "swath_objective");
   if (objective == "turns") return fewest_turns();
   if (objective == "length") return least_length();
-  if (objective != "energy") {
+  const bool energy = objective == "energy" || (objective == "auto" && by_energy(request));
+  if (!energy) {
     return length_and_turns(turn_length_m(request.working_width_m, request.turning_radius_m));
   }
-  if (request.cost == nullptr || request.cost->row_turns.empty()) {
+  if (!by_energy(request)) {
     throw InputError("plan", "swath_objective", objective,
                      "needs measured costs with turns between rows: headland measure, then --cost "
                      "or planner.cost");
@@ -163,16 +175,17 @@ std::vector<SwathCell> patterned_cells(const SwathGrid& grid, const PlanRequest&
 std::vector<Pass> ordered_swaths(const SwathGrid& grid, const PlanRequest& request,
                                  const std::optional<Vector2d>& start_W) {
   const CancelAsked& cancelled = request.cancelled;
-  if (word(request.parameters, "swath_order") != "optimised") {
+  if (!is_optimised(request)) {
     return passes_by(grid, patterned_cells(grid, request), start_W, cancelled);
   }
   const TurnCosts costs{request.turning_radius_m,
-                        request.forward_only ? Gears::kForwardOnly : Gears::kBoth};
+                        request.forward_only ? Gears::kForwardOnly : Gears::kBoth, request.cost,
+                        request.terrain};
   std::vector<Pass> best;
   for (const SwathPattern pattern : {SwathPattern::kNext, SwathPattern::kSkip}) {
     std::vector<Pass> made = passes_by(grid, cells_in(grid, pattern, request), start_W, cancelled);
     made = optimised_order(std::move(made), start_W, costs, cancelled);
-    if (best.empty() || order_cost_m(made, start_W, costs) < order_cost_m(best, start_W, costs)) {
+    if (best.empty() || order_cost(made, start_W, costs) < order_cost(best, start_W, costs)) {
       best = std::move(made);
     }
   }

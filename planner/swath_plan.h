@@ -38,8 +38,8 @@ std::vector<SwathCell> patterned_cells(const SwathGrid& grid, const PlanRequest&
 // The passes of the grid by `swath_order`. Swaths cut by holes are grouped into cells (cells_of),
 // each driven in one of the patterns of swath_pattern.h, in a short order of the cells
 // (order_cells); `optimised` takes the better of going up and down and of leaving swaths between,
-// and improves it swath by swath (optimised_order). `start_W` is where the vehicle comes from.
-// Throws Cancelled.
+// and improves it swath by swath (optimised_order), by the request's measured costs if it has some.
+// `start_W` is where the vehicle comes from. Throws Cancelled.
 std::vector<Pass> ordered_swaths(const SwathGrid& grid, const PlanRequest& request,
                                  const std::optional<Eigen::Vector2d>& start_W);
 

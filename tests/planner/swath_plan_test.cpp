@@ -116,7 +116,7 @@ TEST(SwathOrders, SkippingAndOptimisingSaveTurns) {
   const TurnCosts costs{request.turning_radius_m, Gears::kBoth};
   const auto cost_m = [&](const char* order) {
     request.parameters["swath_order"] = std::string(order);
-    return order_cost_m(swaths_of(plan_boustrophedon(request)), std::nullopt, costs);
+    return order_cost(swaths_of(plan_boustrophedon(request)), std::nullopt, costs);
   };
   const double next_m = cost_m("boustrophedon");
   const double skip_m = cost_m("skip");
