@@ -84,10 +84,6 @@ int compare(const CompareCommand& command) {
     throw InputError(command.spec, "drive", "",
                      "the section is missing: --drive needs at least drive.vehicle");
   }
-  if (!command.cost.empty() && is_of_fields(comparison)) {
-    throw InputError("--cost", "", command.cost,
-                     "not with fields, whose plans are compared by length");
-  }
   if (!command.cost.empty()) {
     require_file(command.cost);
     take_measured_costs(std::filesystem::absolute(command.cost).lexically_normal(), comparison);
@@ -100,7 +96,7 @@ int compare(const CompareCommand& command) {
   }
   if (!command.drive) comparison.drive.reset();
   require_gnuplot();
-  prove_least_lengths(comparison, {command.jobs, nullptr, interrupted});
+  prove_least_costs(comparison, {command.jobs, nullptr, interrupted});
   const std::vector<ComparedRun> runs = run_with_progress(comparison, command);
   refuse_where_nothing_is_planned(command, runs);
   const ComparisonRanks ranks = rank_planners(comparison, runs);

@@ -63,10 +63,10 @@ RegionFigure region_figure_of(const ComparedRegion& region, const ComparedPlanne
   for (const RegionVisit visit : best->region.visits) {
     figure.visits.push_back({visit.part, way_of(parts, visit)});
   }
-  figure.lines.push_back(fmt::format("{:.1f} m", best->region.length_m));
-  if (best->least_m) {
+  figure.lines.push_back(fmt::format("{:.1f} {}", best->region.cost, region.cost ? "Wh" : "m"));
+  if (best->least) {
     figure.lines.back() += fmt::format(", {:.2f} % above the least possible",
-                                       100.0 * (best->region.length_m / *best->least_m - 1.0));
+                                       100.0 * (best->region.cost / *best->least - 1.0));
   }
   if (counts.planned > 1) figure.lines.back() += fmt::format("; best of {} plans", counts.planned);
   return figure;

@@ -41,7 +41,9 @@ std::string runs_text(const RunCounts& counts) {
 
 Row heading(const Comparison& comparison) {
   const bool of_fields = is_of_fields(comparison);
-  Row row = {"", "runs", of_fields ? "length m" : "cost", "± sd", "best", "worst"};
+  Row row = {
+      "",     "runs", of_fields ? (comparison.cost.measured ? "energy Wh" : "length m") : "cost",
+      "± sd", "best", "worst"};
   if (of_fields) row.emplace_back("median gap %");
   for (const std::string_view key : means_of(comparison)) {
     row.emplace_back(figure_named(key).heading);
@@ -127,9 +129,10 @@ std::string field_line(const ComparedMap& field) {
     text += fmt::format("; {} small parts dropped, {:.1f} m2", region.parts.dropped_W.size(),
                         dropped_m2(region.parts));
   }
-  for (const auto& [least_m, how] : {std::pair{region.least_own_m, "each part along its own edge"},
-                                     std::pair{region.least_any_m, "along any edge"}}) {
-    if (least_m) text += fmt::format("\n  least possible, {}: {:.2f} m", how, *least_m);
+  for (const auto& [least, how] : {std::pair{region.least_own, "each part along its own edge"},
+                                   std::pair{region.least_any, "along any edge"}}) {
+    if (!least) continue;
+    text += fmt::format("\n  least possible, {}: {:.2f} {}", how, *least, region.cost ? "Wh" : "m");
   }
   return text;
 }

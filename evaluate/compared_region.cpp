@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "planner/region_energy.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -18,11 +19,16 @@ std::vector<WorkedPart> worked_parts(const ComparedRegion& region, PartSweeps sw
 }
 
 RegionProblem region_problem(const ComparedRegion& region, PartSweeps sweeps) {
-  return region_problem(worked_parts(region, sweeps), region.start_W, region.end_W);
+  const std::vector<WorkedPart> parts = worked_parts(region, sweeps);
+  RegionProblem problem = region_problem(parts, region.start_W, region.end_W);
+  if (region.cost) {
+    price_by_energy(parts, *region.cost, region.terrain ? &*region.terrain : nullptr, problem);
+  }
+  return problem;
 }
 
-std::optional<double> least_length_m(const ComparedRegion& region, PartSweeps sweeps) {
-  return sweeps == PartSweeps::kOwn ? region.least_own_m : region.least_any_m;
+std::optional<double> least_cost(const ComparedRegion& region, PartSweeps sweeps) {
+  return sweeps == PartSweeps::kOwn ? region.least_own : region.least_any;
 }
 
 }  // namespace headland

@@ -53,7 +53,7 @@ void plan_on_map(const Comparison& comparison, const CancelAsked& cancelled, Com
 void plan_on_field(const Comparison& comparison, const CancelAsked& cancelled, ComparedRun& run) {
   const ComparedRegion& region = *comparison.maps[static_cast<std::size_t>(run.map)].region;
   const ComparedPlanner& planner = comparison.planners[static_cast<std::size_t>(run.planner)];
-  run.least_m = least_length_m(region, planner.sweeps);
+  run.least = least_cost(region, planner.sweeps);
   const RegionRequest request{region_problem(region, planner.sweeps), planner.stop,
                               planner.parameters, run.seed, cancelled};
   run.region = find_region_planner(planner.name, comparison.file.string()).plan(request);
@@ -119,7 +119,7 @@ bool is_of_fields(const Comparison& comparison) {
 RunSearch search_of(const ComparedRun& run) {
   const RegionPlan& region = run.region;
   if (!region.visits.empty()) {
-    return {region.length_m, region.convergence, region.iterations, region.evaluations,
+    return {region.cost, region.convergence, region.iterations, region.evaluations,
             region.stopped_by};
   }
   const GridPlan& plan = run.plan;
@@ -134,22 +134,22 @@ std::uint64_t seed_of_run(std::uint64_t seed, std::string_view map, std::string_
   return mixed(mixed(hash) + static_cast<std::uint64_t>(repeat));
 }
 
-void prove_least_lengths(Comparison& comparison, const ParallelOptions& options) {
+void prove_least_costs(Comparison& comparison, const ParallelOptions& options) {
   struct Proof {
     const ComparedRegion& region;
     PartSweeps sweeps;
-    std::optional<double>& least_m;
+    std::optional<double>& least;
   };
   std::vector<Proof> proofs;
   for (ComparedMap& map : comparison.maps) {
     if (!map.region) continue;
     for (const ComparedPlanner& planner : comparison.planners) {
       ComparedRegion& region = *map.region;
-      std::optional<double>& least_m =
-          planner.sweeps == PartSweeps::kOwn ? region.least_own_m : region.least_any_m;
-      const bool known = std::ranges::any_of(
-          proofs, [&](const Proof& proof) { return &proof.least_m == &least_m; });
-      if (!known) proofs.push_back({region, planner.sweeps, least_m});
+      std::optional<double>& least =
+          planner.sweeps == PartSweeps::kOwn ? region.least_own : region.least_any;
+      const bool known =
+          std::ranges::any_of(proofs, [&](const Proof& proof) { return &proof.least == &least; });
+      if (!known) proofs.push_back({region, planner.sweeps, least});
     }
   }
   ParallelOptions quiet = options;
@@ -160,7 +160,7 @@ void prove_least_lengths(Comparison& comparison, const ParallelOptions& options)
     request.cancelled = cancelled;
     if (exact_plan_bytes(request.problem) > kMostProofBytes) return true;
     try {
-      proofs[i].least_m = plan_region_exact(request).length_m;
+      proofs[i].least = plan_region_exact(request).cost;
     } catch (const Cancelled&) {
       return false;
     }

@@ -91,11 +91,11 @@ struct ComparedRun {
   int repeat = 0;
   std::uint64_t seed = 0;
   RunState state = RunState::kNotRun;
-  std::string refusal;            // why, in one line
-  int free_cells = 0;             // of the map
-  GridPlan plan;                  // of kPlanned, on a grid map
-  RegionPlan region;              // of kPlanned, on a field
-  std::optional<double> least_m;  // no plan of the field is shorter, where that is proven
+  std::string refusal;          // why, in one line
+  int free_cells = 0;           // of the map
+  GridPlan plan;                // of kPlanned, on a grid map
+  RegionPlan region;            // of kPlanned, on a field
+  std::optional<double> least;  // no plan of the field costs less, where that is proven
   double seconds = 0.0;
   std::optional<DrivenPlan> driven;  // of the best of its planner and map, when asked for
 };
@@ -104,7 +104,7 @@ bool is_of_fields(const Comparison& comparison);
 
 // What is known of the search for either kind of plan.
 struct RunSearch {
-  double cost = 0.0;  // length [m] on fields
+  double cost = 0.0;  // on fields length [m], or W h by measured costs
   const std::vector<ConvergencePoint>& convergence;
   int iterations = 0;
   std::int64_t evaluations = 0;
@@ -117,9 +117,9 @@ RunSearch search_of(const ComparedRun& run);
 std::uint64_t seed_of_run(std::uint64_t seed, std::string_view map, std::string_view label,
                           int repeat);
 
-// Looks for the shortest plan of every field, for the directions of sweep that its planners choose
+// Looks for the cheapest plan of every field, for the directions of sweep that its planners choose
 // from, by region_exact where that takes at most kMostProofBytes. An early end leaves it at that.
-void prove_least_lengths(Comparison& comparison, const ParallelOptions& options);
+void prove_least_costs(Comparison& comparison, const ParallelOptions& options);
 
 // Every run in the order map, planner, repeat. All but `seconds` is the same with any number of
 // jobs, unless the budget is one of seconds. Runs are begun repeat by repeat, so that what an early

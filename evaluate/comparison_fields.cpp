@@ -8,9 +8,11 @@
 #include <numbers>
 
 #include "evaluate/comparison_maps.h"
+#include "evaluate/scenario_parts.h"
 #include "planner/region_generator.h"
 #include "terrains/field_source.h"
 #include "terrains/input_error.h"
+#include "terrains/terrain_source.h"
 
 namespace headland {
 namespace {
@@ -18,9 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> kFieldSources = {"file", "boundary", "generator"};
-const std::vector<std::string> kFieldsKeys = {"name",     "file",  "layer",     "crs",
-                                              "boundary", "holes", "entry",     "count",
-                                              "parts",    "start", "generator", "end"};
+const std::vector<std::string> kFieldsKeys = {"name",      "file",  "layer",  "crs",   "boundary",
+                                              "holes",     "entry", "count",  "parts", "start",
+                                              "generator", "end",   "terrain"};
 const std::vector<std::string> kRegionKeys = {"parts", "holes", "area_m2", "seed"};
 const std::vector<std::string> kPartsKeys = {"width_m",       "method",      "slice_deg",
                                              "least_area_m2", "small_parts", "merge"};
@@ -158,6 +160,12 @@ std::vector<ComparedMap> read_compared_fields(const YamlSection& section,
   const auto own_start = read_place(section, "start");
   const auto own_end = read_place(section, "end");
   const PartsOptions options = read_parts_options(section, defaults.parts);
+  Scenario ground;
+  ground.seed = seed;
+  if (has_key(section, "terrain")) {
+    read_terrain_source({section.source, "", section.node},
+                        fs::absolute(section.source).parent_path(), ground);
+  }
   if (!(options.width_m > 0.0)) {
     throw InputError(section.source, place_of(section, "parts"), "",
                      "parts.width_m, the width of a swath, is needed here or at the top");
@@ -165,6 +173,11 @@ std::vector<ComparedMap> read_compared_fields(const YamlSection& section,
   for (ComparedMap& field : fields) {
     ComparedRegion& region = *field.region;
     region.options = options;
+    if (has_key(section, "terrain")) {
+      region.terrain = read_terrain(
+          ground.terrain, region.field,
+          fmt::format("{}: {} '{}'", section.source, place_of(section, "terrain"), field.name));
+    }
     region.start_W =
         place_in(own_start ? own_start : defaults.start, region.field, section, "start");
     region.end_W = place_in(own_end ? own_end : defaults.end, region.field, section, "end");

@@ -39,7 +39,7 @@ constexpr std::array kComparedFigures{
                    [](const ComparedRun& run) { return run.plan.fitness; }},
     ComparedFigure{"gap", "gap %", 2, kPercent, false, FigureOf::kRegionPlan,
                    [](const ComparedRun& run) {
-                     return run.least_m ? run.region.length_m / *run.least_m - 1.0 : kUnknown;
+                     return run.least ? run.region.cost / *run.least - 1.0 : kUnknown;
                    }},
     ComparedFigure{"convergence_iteration", "converged", 0, 1.0, false, FigureOf::kAnyPlan,
                    [](const ComparedRun& run) {

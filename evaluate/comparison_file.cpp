@@ -110,7 +110,8 @@ Json asked_json(const Comparison& comparison) {
                          : comparison.budget == Budget::kEvaluations ? Json("evaluations")
                                                                      : Json("seconds");
   const bool of_fields = is_of_fields(comparison);
-  if (!of_fields) json["cost"] = cost_json(comparison.cost, comparison.cost_file);
+  if (!of_fields || comparison.cost.measured)
+    json["cost"] = cost_json(comparison.cost, comparison.cost_file);
   for (const ComparedMap& map : comparison.maps) {
     if (of_fields) {
       json["fields"].push_back(region_json(map));

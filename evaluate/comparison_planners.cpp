@@ -66,9 +66,13 @@ struct PlannerKind {
 PlannerKind planner_kind(const YamlSection& top) {
   const YAML::Node node = top.node;
   if (!node["fields"].IsDefined()) return {false, known_planners(grid_planners())};
-  for (const char* key : {"maps", "cost", "drive", "closed"}) {
+  for (const char* key : {"maps", "drive", "closed"}) {
     if (!node[key].IsDefined()) continue;
     throw InputError(top.source, place_of(top, key), "", "not with fields");
+  }
+  if (node["cost"].IsDefined() && !node["cost"].IsScalar()) {
+    throw InputError(top.source, place_of(top, "cost"), "",
+                     "with fields only a file of measured costs, or nothing: length");
   }
   return {true, known_planners(region_planners()), RegionRequest{}.stop.iterations};
 }

@@ -178,6 +178,9 @@ void take_measured_costs(const fs::path& file, Comparison& comparison) {
   const std::string soil = comparison.drive ? soil_text(comparison.drive->soil) : "";
   comparison.cost_file = file;
   comparison.cost.measured = read_drive_cost(file, vehicle, soil, notes);
+  for (ComparedMap& map : comparison.maps) {
+    if (map.region) map.region->cost = comparison.cost.measured;
+  }
   if (comparison.drive) comparison.notes = notes;
 }
 
@@ -194,8 +197,6 @@ Comparison read_comparison(const fs::path& file, std::optional<std::uint64_t> se
   if (const auto drive = read_section(top, "drive")) {
     comparison.drive = read_drive(*drive, comparison.seed);
   }
-  const fs::path costs = read_cost_file(top, fs::absolute(file).parent_path());
-  if (!costs.empty()) take_measured_costs(costs, comparison);
   read_compared_planners(top, comparison);
   const YAML::Node node = top.node;
   if (node["fields"].IsDefined()) {
@@ -206,6 +207,8 @@ Comparison read_comparison(const fs::path& file, std::optional<std::uint64_t> se
     }
     read_maps(top, comparison);
   }
+  const fs::path costs = read_cost_file(top, fs::absolute(file).parent_path());
+  if (!costs.empty()) take_measured_costs(costs, comparison);
   read_tests(top, comparison);
   return comparison;
 }

@@ -21,8 +21,8 @@ RegionJson ring_json(const Ring& ring) {
   return json;
 }
 
-RegionJson length_or_null(const std::optional<double>& length_m) {
-  return length_m ? RegionJson(*length_m) : RegionJson();
+RegionJson cost_or_null(const std::optional<double>& cost) {
+  return cost ? RegionJson(*cost) : RegionJson();
 }
 
 }  // namespace
@@ -41,8 +41,8 @@ nlohmann::ordered_json region_json(const ComparedMap& field) {
       {"end", place_or_free(region.end_W)},
       {"dropped_parts", region.parts.dropped_W.size()},
       {"dropped_m2", dropped_m2(region.parts)},
-      {"least_length_m",
-       {{"own", length_or_null(region.least_own_m)}, {"any", length_or_null(region.least_any_m)}}},
+      {region.cost ? "least_energy_wh" : "least_length_m",
+       {{"own", cost_or_null(region.least_own)}, {"any", cost_or_null(region.least_any)}}},
       {"boundary", ring_json(region.field.boundary)}};
   json["holes"] = RegionJson::array();
   for (const Ring& hole : region.field.holes) json["holes"].push_back(ring_json(hole));
@@ -67,7 +67,7 @@ nlohmann::ordered_json visits_json(const ComparedRegion& region, PartSweeps swee
                     {"sweep_deg", sweep.direction_rad * kDegrees},
                     {"entry", point_json(variant.entry_W)},
                     {"exit", point_json(variant.exit_W)},
-                    {"length_m", variant.length_m}});
+                    {region.cost ? "energy_wh" : "length_m", variant.cost}});
   }
   return json;
 }

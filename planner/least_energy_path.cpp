@@ -35,9 +35,8 @@ std::vector<Parameters> ways_to_plan(const PlannerEntry& planner, const Paramete
     std::vector<Parameters> more;
     for (const Parameters& way : ways) {
       for (const char* value : {left.by_costs, left.without}) {
-        if (!allows(planner, left, value)) continue;
         more.push_back(way);
-        more.back()[left.name] = std::string(value);
+        if (allows(planner, left, value)) more.back()[left.name] = std::string(value);
       }
     }
     ways = std::move(more);

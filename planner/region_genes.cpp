@@ -50,10 +50,10 @@ std::vector<RegionVisit> visits_of(const RegionProblem& problem, const RegionGen
 
 RegionIndividual individual_of(RegionTask& task, RegionGenes genes) {
   std::vector<RegionVisit> visits = visits_of(task.request.problem, genes);
-  const double own_m = length_m(task.request.problem, visits);
+  const double own = plan_cost(task.request.problem, visits);
   ++task.search.evaluations;
-  if (note_cost(task.search, own_m)) task.best = std::move(visits);
-  return {std::move(genes), own_m};
+  if (note_cost(task.search, own)) task.best = std::move(visits);
+  return {std::move(genes), own};
 }
 
 RegionGenes random_genes(RegionTask& task) {
@@ -74,8 +74,8 @@ std::vector<RegionIndividual> random_individuals(RegionTask& task, int count) {
   return individuals;
 }
 
-const RegionIndividual& shortest(const std::vector<RegionIndividual>& individuals) {
-  return *std::ranges::min_element(individuals, {}, &RegionIndividual::length_m);
+const RegionIndividual& cheapest(const std::vector<RegionIndividual>& individuals) {
+  return *std::ranges::min_element(individuals, {}, &RegionIndividual::cost);
 }
 
 RegionPlan finished_plan(RegionTask& task, const std::string& planner) {

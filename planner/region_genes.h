@@ -15,7 +15,7 @@ using RegionGenes = std::vector<double>;
 
 struct RegionIndividual {
   RegionGenes genes;
-  double length_m = 0.0;
+  double cost = 0.0;  // [m], or W h by measured costs
 };
 
 // What a search over individuals has besides them.
@@ -45,7 +45,7 @@ void repair(RegionGenes& genes);
 // J is rounded.
 std::vector<RegionVisit> visits_of(const RegionProblem& problem, const RegionGenes& genes);
 
-// Measured: its length counted as an evaluation and noted.
+// Measured: its cost counted as an evaluation and noted.
 RegionIndividual individual_of(RegionTask& task, RegionGenes genes);
 
 // Every order and variant as likely, repaired.
@@ -54,7 +54,7 @@ RegionGenes random_genes(RegionTask& task);
 // As many as wanted, fewer where the search ends before, at least one.
 std::vector<RegionIndividual> random_individuals(RegionTask& task, int count);
 
-const RegionIndividual& shortest(const std::vector<RegionIndividual>& individuals);
+const RegionIndividual& cheapest(const std::vector<RegionIndividual>& individuals);
 
 // The best of all.
 RegionPlan finished_plan(RegionTask& task, const std::string& planner);

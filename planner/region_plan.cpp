@@ -28,9 +28,9 @@ void check_problem(const RegionProblem& problem) {
     for (const RegionVariant& variant : problem.parts[part]) {
       check_finite(variant.entry_W, where + ".entry_W");
       check_finite(variant.exit_W, where + ".exit_W");
-      if (variant.length_m >= 0.0 && std::isfinite(variant.length_m)) continue;
-      throw InputError(kRegionPlanSource, where + ".length_m", fmt::format("{}", variant.length_m),
-                       "a length from 0 m up");
+      if (variant.cost >= 0.0 && std::isfinite(variant.cost)) continue;
+      throw InputError(kRegionPlanSource, where + ".cost", fmt::format("{}", variant.cost),
+                       "a finite number from 0 up");
     }
   }
   if (problem.start_W) check_finite(*problem.start_W, "start_W");
@@ -39,23 +39,25 @@ void check_problem(const RegionProblem& problem) {
 
 }  // namespace
 
-double length_m(const RegionProblem& problem, std::span<const RegionVisit> visits) {
-  double sum_m = 0.0;
+double plan_cost(const RegionProblem& problem, std::span<const RegionVisit> visits) {
+  double sum = 0.0;
   const RegionVariant* before = nullptr;
   for (const RegionVisit visit : visits) {
     const RegionVariant& now = variant_of(problem, visit);
-    sum_m += before == nullptr ? start_link_m(problem, now) : link_m(*before, now);
-    sum_m += now.length_m;
+    sum += before == nullptr ? start_cost(problem, now) : link_cost(problem, *before, now);
+    sum += now.cost;
     before = &now;
   }
-  return before == nullptr ? sum_m : sum_m + end_link_m(problem, *before);
+  return before == nullptr ? sum : sum + end_cost(problem, *before);
 }
 
-double start_link_m(const RegionProblem& problem, const RegionVariant& first) {
+double start_cost(const RegionProblem& problem, const RegionVariant& first) {
+  if (problem.links) return problem.links->from_start_wh[first.number];
   return problem.start_W ? (first.entry_W - *problem.start_W).norm() : 0.0;
 }
 
-double end_link_m(const RegionProblem& problem, const RegionVariant& last) {
+double end_cost(const RegionProblem& problem, const RegionVariant& last) {
+  if (problem.links) return problem.links->to_end_wh[last.number];
   return problem.end_W ? (last.exit_W - *problem.end_W).norm() : 0.0;
 }
 
@@ -78,7 +80,7 @@ RegionPlan finished_plan(const RegionRequest& request, const std::string& planne
                          std::vector<RegionVisit> visits, const PlanSearch& search) {
   RegionPlan plan;
   plan.planner = planner;
-  plan.length_m = length_m(request.problem, visits);
+  plan.cost = plan_cost(request.problem, visits);
   plan.visits = std::move(visits);
   plan.convergence = search.convergence;
   plan.iterations = search.iteration;

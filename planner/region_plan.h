@@ -18,7 +18,16 @@ namespace headland {
 struct RegionVariant {
   Eigen::Vector2d entry_W = Eigen::Vector2d::Zero();
   Eigen::Vector2d exit_W = Eigen::Vector2d::Zero();
-  double length_m = 0.0;  // from entry to exit
+  double cost = 0.0;       // from entry to exit: its length [m], or W h by measured costs
+  std::size_t number = 0;  // of all variants, for the table of links
+};
+
+// What links take by measured costs [W h], in place of their length: from every variant's exit to
+// every one's entry, from the start and to the end. Made by price_links (region_energy.h).
+struct RegionLinks {
+  std::vector<double> between_wh;  // [number of one * size of from_start_wh + number of the next]
+  std::vector<double> from_start_wh;  // by number
+  std::vector<double> to_end_wh;
 };
 
 // IGA-CPP's three scenes are a fixed start, both fixed, and both free.
@@ -26,6 +35,7 @@ struct RegionProblem {
   std::vector<std::vector<RegionVariant>> parts;  // at least one, each with at least one variant
   std::optional<Eigen::Vector2d> start_W;
   std::optional<Eigen::Vector2d> end_W;
+  std::optional<RegionLinks> links;  // none: links count by their length
   int size() const { return static_cast<int>(parts.size()); }
 };
 
@@ -46,8 +56,8 @@ struct RegionRequest {
 struct RegionPlan {
   std::string planner;
   std::vector<RegionVisit> visits;  // every part once
-  double length_m = 0.0;
-  bool proven = false;  // no plan is shorter
+  double cost = 0.0;                // plan_cost
+  bool proven = false;              // no plan costs less
   std::vector<ConvergencePoint> convergence;
   int iterations = 0;
   std::int64_t evaluations = 0;
@@ -56,19 +66,22 @@ struct RegionPlan {
 
 // Eq (5) of the paper: from the start to the first entry, between exits and entries as the crow
 // flies, from the last exit to the end, and the ways in the parts. An end that is free adds
-// nothing.
-double length_m(const RegionProblem& problem, std::span<const RegionVisit> visits);
+// nothing. Metres, or W h of a problem with measured costs.
+double plan_cost(const RegionProblem& problem, std::span<const RegionVisit> visits);
 
 inline const RegionVariant& variant_of(const RegionProblem& problem, RegionVisit visit) {
   return problem
       .parts[static_cast<std::size_t>(visit.part)][static_cast<std::size_t>(visit.variant)];
 }
-// From the start to a visit, from one to the next, and from a visit to the end [m].
-double start_link_m(const RegionProblem& problem, const RegionVariant& first);
-inline double link_m(const RegionVariant& one, const RegionVariant& next) {
-  return (next.entry_W - one.exit_W).norm();
+// From the start to a visit, from one to the next, and from a visit to the end.
+double start_cost(const RegionProblem& problem, const RegionVariant& first);
+inline double link_cost(const RegionProblem& problem, const RegionVariant& one,
+                        const RegionVariant& next) {
+  if (!problem.links) return (next.entry_W - one.exit_W).norm();
+  const RegionLinks& links = *problem.links;
+  return links.between_wh[one.number * links.from_start_wh.size() + next.number];
 }
-double end_link_m(const RegionProblem& problem, const RegionVariant& last);
+double end_cost(const RegionProblem& problem, const RegionVariant& last);
 
 int most_variants(const RegionProblem& problem);  // of any part
 
@@ -79,7 +92,7 @@ inline const std::string kRegionPlanSource = "region plan";
 // without parts or a part without variants, and for numbers that are not finite.
 PlanSearch begun_search(const RegionRequest& request);
 
-// The plan; its length is counted anew.
+// The plan; its cost is counted anew.
 RegionPlan finished_plan(const RegionRequest& request, const std::string& planner,
                          std::vector<RegionVisit> visits, const PlanSearch& search);
 

@@ -52,9 +52,9 @@ bool by_energy(const PlanRequest& request) {
   return request.cost != nullptr && !request.cost->row_turns.empty();
 }
 
-bool is_optimised(const PlanRequest& request) {
-  const std::string& order = word(request.parameters, "swath_order");
-  return order == "optimised" || (order == "auto" && by_energy(request));
+TurnCosts turn_costs(const PlanRequest& request) {
+  return {request.turning_radius_m, request.forward_only ? Gears::kForwardOnly : Gears::kBoth,
+          request.cost, request.terrain};
 }
 
 std::size_t skip_of(const SwathGrid& grid, const PlanRequest& request) {
@@ -172,19 +172,27 @@ std::vector<SwathCell> patterned_cells(const SwathGrid& grid, const PlanRequest&
   return cells_in(grid, SwathPattern::kNext, request);
 }
 
+bool is_optimised(const PlanRequest& request) {
+  const std::string& order = word(request.parameters, "swath_order");
+  return order == "optimised" || (order == "auto" && by_energy(request));
+}
+
+std::vector<Pass> improved_order(std::vector<Pass> swaths, const PlanRequest& request,
+                                 const std::optional<Vector2d>& start_W) {
+  return optimised_order(std::move(swaths), start_W, turn_costs(request), request.cancelled);
+}
+
 std::vector<Pass> ordered_swaths(const SwathGrid& grid, const PlanRequest& request,
                                  const std::optional<Vector2d>& start_W) {
   const CancelAsked& cancelled = request.cancelled;
   if (!is_optimised(request)) {
     return passes_by(grid, patterned_cells(grid, request), start_W, cancelled);
   }
-  const TurnCosts costs{request.turning_radius_m,
-                        request.forward_only ? Gears::kForwardOnly : Gears::kBoth, request.cost,
-                        request.terrain};
+  const TurnCosts costs = turn_costs(request);
   std::vector<Pass> best;
   for (const SwathPattern pattern : {SwathPattern::kNext, SwathPattern::kSkip}) {
     std::vector<Pass> made = passes_by(grid, cells_in(grid, pattern, request), start_W, cancelled);
-    made = optimised_order(std::move(made), start_W, costs, cancelled);
+    made = improved_order(std::move(made), request, start_W);
     if (best.empty() || order_cost(made, start_W, costs) < order_cost(best, start_W, costs)) {
       best = std::move(made);
     }

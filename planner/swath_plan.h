@@ -35,6 +35,14 @@ SwathGridCost swath_cost(const PlanRequest& request);
 // lie).
 std::vector<SwathCell> patterned_cells(const SwathGrid& grid, const PlanRequest& request);
 
+// Whether the order of swaths is improved one by one: `swath_order` optimised, or auto where the
+// request has measured costs.
+bool is_optimised(const PlanRequest& request);
+
+// optimised_order by what the request's turns cost, in metres or by its measured costs.
+std::vector<Pass> improved_order(std::vector<Pass> swaths, const PlanRequest& request,
+                                 const std::optional<Eigen::Vector2d>& start_W);
+
 // The passes of the grid by `swath_order`. Swaths cut by holes are grouped into cells (cells_of),
 // each driven in one of the patterns of swath_pattern.h, in a short order of the cells
 // (order_cells); `optimised` takes the better of going up and down and of leaving swaths between,

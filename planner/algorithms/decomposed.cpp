@@ -9,7 +9,9 @@
 #include "planner/algorithms/region_local_search.h"
 #include "planner/headland_order.h"
 #include "planner/headland_rings.h"
+#include "planner/line_energy.h"
 #include "planner/polygon.h"
+#include "planner/region_energy.h"
 #include "planner/region_parts.h"
 #include "planner/request_check.h"
 #include "planner/swath_cells.h"
@@ -21,6 +23,7 @@ namespace {
 
 // Dynamic programming for more would take longer than all else.
 constexpr int kMostExactPieces = 12;
+constexpr std::size_t kCorners = 4;  // that a piece may be begun at
 
 // The ground with fewer corners, grown so that nothing of it is outside.
 PolygonSet outlined(const PolygonSet& ground, double width_m) {
@@ -91,15 +94,22 @@ std::vector<RegionVisit> order_of(const std::vector<Piece>& pieces,
                                   const PlanRequest& request) {
   RegionRequest region;
   region.problem.start_W = start_W;
+  const bool priced = request.cost != nullptr && kCorners * pieces.size() <= kMostPricedVariants;
+  const auto pass_cost = [&](const Pass& pass) {
+    if (!priced) return length_m(pass.points_W);
+    return line_wh(request.cost->working, request.terrain, pass.points_W.front(),
+                   pass.points_W.back());
+  };
   for (const Piece& piece : pieces) {
     std::vector<RegionVariant>& variants = region.problem.parts.emplace_back();
-    for (int corner = 0; corner < 4; ++corner) {
+    for (int corner = 0; corner < static_cast<int>(kCorners); ++corner) {
       const std::vector<Pass> passes = passes_of(*piece.grid, piece.cell, visit_by_corner(corner));
       RegionVariant variant{passes.front().points_W.front(), passes.back().points_W.back(), 0.0};
-      for (const Pass& pass : passes) variant.length_m += length_m(pass.points_W);
+      for (const Pass& pass : passes) variant.cost += pass_cost(pass);
       variants.push_back(variant);
     }
   }
+  if (priced) price_links(*request.cost, request.terrain, region.problem);
   region.seed = request.seed;
   region.cancelled = request.cancelled;
   if (region.problem.size() <= kMostExactPieces) return plan_region_exact(region).visits;
@@ -113,12 +123,15 @@ void append_pieces(const std::vector<SwathGrid>& grids, const PlanRequest& reque
   const std::vector<Piece> pieces = pieces_of(grids, request);
   if (pieces.empty()) return;
   const auto start_W = end_of(passes, request.field.entry_W);
+  std::vector<Pass> swaths;
   for (const RegionVisit& visit : order_of(pieces, start_W, request)) {
     const Piece& piece = pieces[static_cast<std::size_t>(visit.part)];
     for (Pass& pass : passes_of(*piece.grid, piece.cell, visit_by_corner(visit.variant))) {
-      passes.push_back(std::move(pass));
+      swaths.push_back(std::move(pass));
     }
   }
+  if (is_optimised(request)) swaths = improved_order(std::move(swaths), request, start_W);
+  for (Pass& pass : swaths) passes.push_back(std::move(pass));
 }
 
 }  // namespace

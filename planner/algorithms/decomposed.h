@@ -20,7 +20,9 @@ std::span<const ParameterSpec> decomposed_parameters();
 // 4. Parts, and pieces of a part between holes (cells_of), are visited in a short order, each from
 //    the one of its four corners that suits it: proven shortest where dynamic programming can
 //    (plan_region_exact), else by plan_region_local_search with the request's seed; between them
-//    ways count as the crow flies. Within a piece swaths follow each other by `swath_order`.
+//    ways count as the crow flies. Within a piece swaths follow each other by `swath_order`. With
+//    measured costs all of this counts in W h, and `swath_order` auto improves the whole order of
+//    swaths by them (optimised_order).
 // Throws as plan_boustrophedon.
 Plan plan_decomposed(const PlanRequest& request);
 

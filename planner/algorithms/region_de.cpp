@@ -54,7 +54,7 @@ RegionPlan plan_region_de(const RegionRequest& request) {
     for (int i = 0; i < static_cast<int>(population.size()) && goes_on(task.search); ++i) {
       RegionIndividual child =
           individual_of(task, de_child(task, population, i, scaling, crossover));
-      if (child.length_m <= at(population, i).length_m) at(next, i) = std::move(child);
+      if (child.cost <= at(population, i).cost) at(next, i) = std::move(child);
     }
     population = std::move(next);
   }

@@ -22,11 +22,11 @@ struct Enumeration {
 };
 
 // Tries all that can follow; false: the search is over.
-bool enumerate(Enumeration& all, const RegionVariant* before, double so_far_m) {
+bool enumerate(Enumeration& all, const RegionVariant* before, double so_far) {
   const int parts = all.problem.size();
   if (static_cast<int>(all.visits.size()) == parts) {
     ++all.search.evaluations;
-    if (note_cost(all.search, so_far_m + end_link_m(all.problem, *before))) all.best = all.visits;
+    if (note_cost(all.search, so_far + end_cost(all.problem, *before))) all.best = all.visits;
     if (++all.unchecked < kPlansPerCheck) return true;
     all.unchecked = 0;
     return goes_on(all.search);
@@ -37,9 +37,10 @@ bool enumerate(Enumeration& all, const RegionVariant* before, double so_far_m) {
     const int variants = static_cast<int>(at(all.problem.parts, part).size());
     for (int variant = 0; variant < variants; ++variant) {
       const RegionVariant& now = variant_of(all.problem, {part, variant});
-      const double link = before == nullptr ? start_link_m(all.problem, now) : link_m(*before, now);
+      const double to_it =
+          before == nullptr ? start_cost(all.problem, now) : link_cost(all.problem, *before, now);
       all.visits.push_back({part, variant});
-      if (!enumerate(all, &now, so_far_m + link + now.length_m)) return false;
+      if (!enumerate(all, &now, so_far + to_it + now.cost)) return false;
       all.visits.pop_back();
     }
     at(all.visited, part) = 0;

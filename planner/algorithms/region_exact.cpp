@@ -20,7 +20,7 @@ constexpr std::size_t kSetsPerCheck = 1024;  // between questions whether to go 
 struct ExactStates {
   std::vector<RegionVisit> visits;
   std::vector<std::size_t> first;
-  std::vector<double> step_m;  // from state to state: the link and the way in the part
+  std::vector<double> step;  // from state to state: the link and the way in the part
   std::size_t size() const { return visits.size(); }
 };
 
@@ -32,64 +32,64 @@ ExactStates exact_states(const RegionProblem& problem) {
     for (int variant = 0; variant < variants; ++variant) states.visits.push_back({part, variant});
   }
   states.first.push_back(states.size());
-  states.step_m.reserve(states.size() * states.size());
+  states.step.reserve(states.size() * states.size());
   for (const RegionVisit from : states.visits) {
     for (const RegionVisit to : states.visits) {
       const RegionVariant& next = variant_of(problem, to);
-      states.step_m.push_back(link_m(variant_of(problem, from), next) + next.length_m);
+      states.step.push_back(link_cost(problem, variant_of(problem, from), next) + next.cost);
     }
   }
   return states;
 }
 
-// Least lengths of ways through a set of parts, by set and by the state they end in.
-using LeastLengths = std::vector<double>;
+// Least costs of ways through a set of parts, by set and by the state they end in.
+using LeastCosts = std::vector<double>;
 
-void extend_ways(const ExactStates& states, std::size_t set, LeastLengths& least_m) {
+void extend_ways(const ExactStates& states, std::size_t set, LeastCosts& least_of) {
   const std::size_t parts = states.first.size() - 1;
   for (std::size_t from = 0; from < states.size(); ++from) {
-    const double so_far_m = least_m[set * states.size() + from];
-    if (so_far_m == kNoWay) continue;
-    const double* const step_m = states.step_m.data() + from * states.size();
+    const double so_far = least_of[set * states.size() + from];
+    if (so_far == kNoWay) continue;
+    const double* const step = states.step.data() + from * states.size();
     for (std::size_t part = 0; part < parts; ++part) {
       const std::size_t bit = std::size_t{1} << part;
       if ((set & bit) != 0) continue;
-      double* const next_m = least_m.data() + (set | bit) * states.size();
+      double* const onward = least_of.data() + (set | bit) * states.size();
       for (std::size_t to = states.first[part]; to < states.first[part + 1]; ++to) {
-        next_m[to] = std::min(next_m[to], so_far_m + step_m[to]);
+        onward[to] = std::min(onward[to], so_far + step[to]);
       }
     }
   }
 }
 
-LeastLengths least_lengths(const RegionProblem& problem, const ExactStates& states,
-                           PlanSearch& search) {
+LeastCosts least_costs(const RegionProblem& problem, const ExactStates& states,
+                       PlanSearch& search) {
   const std::size_t sets = std::size_t{1} << problem.parts.size();
-  LeastLengths least_m(sets * states.size(), kNoWay);
+  LeastCosts least_of(sets * states.size(), kNoWay);
   for (std::size_t state = 0; state < states.size(); ++state) {
     const RegionVariant& first = variant_of(problem, states.visits[state]);
     const std::size_t set = std::size_t{1} << static_cast<unsigned>(states.visits[state].part);
-    least_m[set * states.size() + state] = start_link_m(problem, first) + first.length_m;
+    least_of[set * states.size() + state] = start_cost(problem, first) + first.cost;
   }
   for (std::size_t set = 1; set < sets; ++set) {
     if (set % kSetsPerCheck == 0) stop_if(search.cancelled);
-    extend_ways(states, set, least_m);
+    extend_ways(states, set, least_of);
   }
-  return least_m;
+  return least_of;
 }
 
 // Which state the way to a state came from: the steps are looked for again.
 std::vector<RegionVisit> way_back(const RegionProblem& problem, const ExactStates& states,
-                                  const LeastLengths& least_m) {
+                                  const LeastCosts& least_of) {
   std::size_t set = (std::size_t{1} << problem.parts.size()) - 1;
-  const auto lengths = [&](std::size_t of_set) { return least_m.data() + of_set * states.size(); };
+  const auto costs = [&](std::size_t of_set) { return least_of.data() + of_set * states.size(); };
   std::size_t last = 0;
   double least = kNoWay;
   for (std::size_t state = 0; state < states.size(); ++state) {
-    const double whole_m =
-        lengths(set)[state] + end_link_m(problem, variant_of(problem, states.visits[state]));
-    if (whole_m < least) {
-      least = whole_m;
+    const double whole =
+        costs(set)[state] + end_cost(problem, variant_of(problem, states.visits[state]));
+    if (whole < least) {
+      least = whole;
       last = state;
     }
   }
@@ -98,10 +98,10 @@ std::vector<RegionVisit> way_back(const RegionProblem& problem, const ExactState
     set &= ~(std::size_t{1} << static_cast<unsigned>(states.visits[last].part));
     std::size_t before = 0;
     for (std::size_t state = 0; state < states.size(); ++state) {
-      const auto whole_m = [&](std::size_t from) {
-        return lengths(set)[from] + states.step_m[from * states.size() + last];
+      const auto whole = [&](std::size_t from) {
+        return costs(set)[from] + states.step[from * states.size() + last];
       };
-      if (whole_m(state) < whole_m(before)) before = state;
+      if (whole(state) < whole(before)) before = state;
     }
     last = before;
     visits.push_back(states.visits[last]);
@@ -130,12 +130,11 @@ RegionPlan plan_region_exact(const RegionRequest& request) {
                     kMostExactBytes / kGigabyte, exact_plan_bytes(problem) / kGigabyte));
   }
   const ExactStates states = exact_states(problem);
-  std::vector<RegionVisit> visits =
-      way_back(problem, states, least_lengths(problem, states, search));
+  std::vector<RegionVisit> visits = way_back(problem, states, least_costs(problem, states, search));
   const double parts = problem.size();
   search.evaluations =
       static_cast<std::int64_t>(std::pow(2.0, parts) * static_cast<double>(states.size()));
-  note_cost(search, length_m(problem, visits));
+  note_cost(search, plan_cost(problem, visits));
   RegionPlan plan = finished_plan(request, "region_exact", std::move(visits), search);
   plan.proven = true;
   return plan;

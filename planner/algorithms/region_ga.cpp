@@ -14,7 +14,7 @@ std::vector<double> fitness_sums(const std::vector<RegionIndividual>& population
   sums.reserve(population.size());
   double sum = 0.0;
   for (const RegionIndividual& one : population) {
-    sum += 1.0 / (one.length_m + kNoChange);
+    sum += 1.0 / (one.cost + kNoChange);
     sums.push_back(sum);
   }
   return sums;
@@ -54,7 +54,7 @@ RegionPlan plan_region_ga(const RegionRequest& request) {
   std::vector<RegionIndividual> population = random_individuals(task, region_population(request));
   while (next_iteration(task.search)) {
     const std::vector<double> sums = fitness_sums(population);
-    std::vector<RegionIndividual> next = {shortest(population)};
+    std::vector<RegionIndividual> next = {cheapest(population)};
     while (next.size() < population.size() && goes_on(task.search)) {
       next.push_back(individual_of(task, ga_child(task, population, sums, crossover, mutation)));
     }

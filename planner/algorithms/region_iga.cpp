@@ -63,12 +63,12 @@ RegionPlan plan_region_iga(const RegionRequest& request) {
   std::vector<RegionIndividual> population = random_individuals(task, static_cast<int>(first));
   while (next_iteration(task.search)) {
     const double size = std::round(first - (first - least) * share_over(task.search));  // Eq (6)
-    std::ranges::stable_sort(population, {}, &RegionIndividual::length_m);
+    std::ranges::stable_sort(population, {}, &RegionIndividual::cost);
     population.resize(std::min(population.size(), static_cast<std::size_t>(size)));
     for (RegionIndividual& parent : population) {
       if (!goes_on(task.search)) break;
       RegionIndividual child = individual_of(task, iga_child(task, parent.genes, factors));
-      if (child.length_m < parent.length_m) parent = std::move(child);
+      if (child.cost < parent.cost) parent = std::move(child);
     }
   }
   return finished_plan(task, "region_iga");

@@ -80,7 +80,7 @@ std::vector<int> removed_parts(Ruin& ruin, std::vector<RegionVisit>& visits) {
 
 // A place of a plan: its part would come before visits[place].
 struct Insertion {
-  double added_m = std::numeric_limits<double>::infinity();
+  double added = std::numeric_limits<double>::infinity();
   int place = 0;
   int variant = 0;
 };
@@ -92,18 +92,18 @@ Insertion best_insertion(const RegionProblem& problem, const std::vector<RegionV
   const bool last = place == static_cast<int>(visits.size());
   const RegionVariant* from = first ? nullptr : &variant_of(problem, at(visits, place - 1));
   const RegionVariant* after = last ? nullptr : &variant_of(problem, at(visits, place));
-  double saved_m = 0.0;  // the link that is cut
-  if (!first && !last) saved_m = link_m(*from, *after);
-  if (first && !last) saved_m = start_link_m(problem, *after);
-  if (!first && last) saved_m = end_link_m(problem, *from);
+  double saved = 0.0;  // the link that is cut
+  if (!first && !last) saved = link_cost(problem, *from, *after);
+  if (first && !last) saved = start_cost(problem, *after);
+  if (!first && last) saved = end_cost(problem, *from);
   Insertion best;
   const std::vector<RegionVariant>& variants = at(problem.parts, part);
   for (int variant = 0; variant < static_cast<int>(variants.size()); ++variant) {
     const RegionVariant& now = at(variants, variant);
-    const double added_m = (first ? start_link_m(problem, now) : link_m(*from, now)) +
-                           now.length_m + (last ? end_link_m(problem, now) : link_m(now, *after)) -
-                           saved_m;
-    if (added_m < best.added_m) best = {added_m, place, variant};
+    const double added = (first ? start_cost(problem, now) : link_cost(problem, *from, now)) +
+                         now.cost +
+                         (last ? end_cost(problem, now) : link_cost(problem, now, *after)) - saved;
+    if (added < best.added) best = {added, place, variant};
   }
   return best;
 }
@@ -116,7 +116,7 @@ void insert_part(Ruin& ruin, int part, std::vector<RegionVisit>& visits) {
   const auto look_at = [&](int place) {
     if (draw_unit(ruin.random) < ruin.blink) return;
     const Insertion found = best_insertion(ruin.problem, visits, part, place);
-    if (found.added_m < best.added_m) best = found;
+    if (found.added < best.added) best = found;
   };
   look_at(last);
   for (const int near : at(ruin.nearest, part)) {
@@ -131,10 +131,10 @@ void insert_part(Ruin& ruin, int part, std::vector<RegionVisit>& visits) {
                   std::min(last, best.place + kReach));
 }
 
-double mean_link_m(const RegionProblem& problem, const std::vector<RegionVisit>& visits) {
-  double sum_m = length_m(problem, visits);
-  for (const RegionVisit visit : visits) sum_m -= variant_of(problem, visit).length_m;
-  return std::max(0.0, sum_m) / static_cast<double>(visits.size());
+double mean_link(const RegionProblem& problem, const std::vector<RegionVisit>& visits) {
+  double sum = plan_cost(problem, visits);
+  for (const RegionVisit visit : visits) sum -= variant_of(problem, visit).cost;
+  return std::max(0.0, sum) / static_cast<double>(visits.size());
 }
 
 }  // namespace
@@ -144,7 +144,7 @@ void choose_variants(const RegionProblem& problem, std::vector<RegionVisit>& vis
   // By place and variant: the shortest way from there to what follows the last place, and by which
   // variant it goes on.
   struct Onward {
-    double length_m = 0.0;
+    double cost = 0.0;
     int next = 0;
   };
   const auto variants_at = [&](int place) -> const std::vector<RegionVariant>& {
@@ -161,27 +161,29 @@ void choose_variants(const RegionProblem& problem, std::vector<RegionVisit>& vis
     for (const RegionVariant& now : variants_at(place)) {
       Onward best{std::numeric_limits<double>::infinity(), 0};
       if (place == last) {
-        best.length_m = last + 1 < end ? link_m(now, variant_of(problem, at(visits, last + 1)))
-                                       : end_link_m(problem, now);
+        best.cost = last + 1 < end
+                        ? link_cost(problem, now, variant_of(problem, at(visits, last + 1)))
+                        : end_cost(problem, now);
       } else {
         const Onward* there = row(place + 1);
         const std::vector<RegionVariant>& variants = variants_at(place + 1);
         for (std::size_t next = 0; next < variants.size(); ++next) {
-          const double own_m = link_m(now, variants[next]) + there[next].length_m;
-          if (own_m < best.length_m) best = {own_m, static_cast<int>(next)};
+          const double own = link_cost(problem, now, variants[next]) + there[next].cost;
+          if (own < best.cost) best = {own, static_cast<int>(next)};
         }
       }
-      *here++ = {best.length_m + now.length_m, best.next};
+      *here++ = {best.cost + now.cost, best.next};
     }
   }
   int variant = 0;
-  double least_m = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
   for (int one = 0; one < static_cast<int>(variants_at(first).size()); ++one) {
     const RegionVariant& now = at(variants_at(first), one);
-    const double to_m = first > 0 ? link_m(variant_of(problem, at(visits, first - 1)), now)
-                                  : start_link_m(problem, now);
-    if (to_m + row(first)[one].length_m >= least_m) continue;
-    least_m = to_m + row(first)[one].length_m;
+    const double to_it = first > 0
+                             ? link_cost(problem, variant_of(problem, at(visits, first - 1)), now)
+                             : start_cost(problem, now);
+    if (to_it + row(first)[one].cost >= least) continue;
+    least = to_it + row(first)[one].cost;
     variant = one;
   }
   for (int place = first; place <= last; ++place) {
@@ -213,26 +215,26 @@ RegionPlan plan_region_local_search(const RegionRequest& request) {
   std::vector<RegionVisit> now;
   for (const int part : parts) insert_part(ruin, part, now);
   choose_variants(problem, now, 0, problem.size() - 1);
-  double now_m = length_m(problem, now);
+  double now_cost = plan_cost(problem, now);
   std::vector<RegionVisit> best = now;
   ++search.evaluations;
-  note_cost(search, now_m);
-  const double scale_m = mean_link_m(problem, now);
+  note_cost(search, now_cost);
+  const double scale = mean_link(problem, now);
   while (next_iteration(search)) {
     const double share = share_over(search);
-    const double temperature_m =
-        scale_m * kFirstTemperature * std::pow(kLastTemperature / kFirstTemperature, share);
+    const double temperature =
+        scale * kFirstTemperature * std::pow(kLastTemperature / kFirstTemperature, share);
     for (int i = 0; i < kRuins + problem.size(); ++i) {
       if (i % kRuinsPerCheck == 0 && !goes_on(search)) break;
       std::vector<RegionVisit> changed = now;
       for (const int part : removed_parts(ruin, changed)) insert_part(ruin, part, changed);
-      const double changed_m = length_m(problem, changed);
+      const double changed_cost = plan_cost(problem, changed);
       ++search.evaluations;
-      const double longer_m = -temperature_m * std::log(1.0 - draw_unit(random));
-      if (changed_m > now_m + std::max(longer_m, kNoChange)) continue;
+      const double dearer = -temperature * std::log(1.0 - draw_unit(random));
+      if (changed_cost > now_cost + std::max(dearer, kNoChange)) continue;
       now = std::move(changed);
-      now_m = changed_m;
-      if (note_cost(search, now_m)) best = now;
+      now_cost = changed_cost;
+      if (note_cost(search, now_cost)) best = now;
     }
   }
   return finished_plan(request, "region_local_search", std::move(best), search);

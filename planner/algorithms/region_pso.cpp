@@ -32,7 +32,7 @@ void move_particle(RegionTask& task, const SwarmFactors& factors, const RegionGe
     at(genes, i) = std::clamp(at(genes, i) + velocity, 1.0, most_of_gene(task, i));
   }
   particle.now = individual_of(task, std::move(genes));
-  if (particle.now.length_m < particle.best.length_m) particle.best = particle.now;
+  if (particle.now.cost < particle.best.cost) particle.best = particle.now;
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ RegionPlan plan_region_pso(const RegionRequest& request) {
   std::vector<Particle> swarm;
   RegionIndividual leader;
   for (RegionIndividual& one : random_individuals(task, region_population(request))) {
-    if (swarm.empty() || one.length_m < leader.length_m) leader = one;
+    if (swarm.empty() || one.cost < leader.cost) leader = one;
     std::vector<double> velocity(one.genes.size());
     for (double& v : velocity) v = (2.0 * draw_unit(task.random) - 1.0) * factors.most_velocity;
     swarm.push_back({one, one, std::move(velocity)});
@@ -63,7 +63,7 @@ RegionPlan plan_region_pso(const RegionRequest& request) {
     for (Particle& particle : swarm) {
       if (!goes_on(task.search)) break;
       move_particle(task, factors, leader.genes, particle);
-      if (particle.best.length_m < leader.length_m) leader = particle.best;
+      if (particle.best.cost < leader.cost) leader = particle.best;
     }
   }
   return finished_plan(task, "region_pso");

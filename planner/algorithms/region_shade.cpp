@@ -32,7 +32,7 @@ struct Factors {
 
 struct Success {
   Factors factors;
-  double gain_m = 0.0;
+  double gain = 0.0;
 };
 
 struct History {
@@ -58,11 +58,11 @@ void remember(History& history, const std::vector<Success>& successes) {
   double scaling = 0.0;
   double squares = 0.0;
   double crossover = 0.0;
-  for (const auto& [factors, gain_m] : successes) {
-    weights += gain_m;
-    scaling += gain_m * factors.scaling;
-    squares += gain_m * factors.scaling * factors.scaling;
-    crossover += gain_m * factors.crossover;
+  for (const auto& [factors, gain] : successes) {
+    weights += gain;
+    scaling += gain * factors.scaling;
+    squares += gain * factors.scaling * factors.scaling;
+    crossover += gain * factors.crossover;
   }
   at(history.remembered, history.next) = {squares / scaling, crossover / weights};
   history.next = (history.next + 1) % static_cast<int>(history.remembered.size());
@@ -134,18 +134,18 @@ RegionPlan plan_region_shade(const RegionRequest& request) {
   std::iota(population.by_length.begin(), population.by_length.end(), 0);
   while (next_iteration(task.search)) {
     std::ranges::stable_sort(population.by_length, {},
-                             [&](int i) { return at(population.individuals, i).length_m; });
+                             [&](int i) { return at(population.individuals, i).cost; });
     std::vector<RegionIndividual> next = population.individuals;
     std::vector<Success> successes;
     for (int i = 0; i < static_cast<int>(next.size()) && goes_on(task.search); ++i) {
       const Factors factors = drawn_factors(task, history);
       RegionIndividual child = individual_of(task, shade_child(task, population, i, factors));
-      const double gain_m = at(population.individuals, i).length_m - child.length_m;
-      if (gain_m < 0.0) continue;
+      const double gain = at(population.individuals, i).cost - child.cost;
+      if (gain < 0.0) continue;
       at(next, i) = std::move(child);
-      if (gain_m <= kNoChange) continue;
+      if (gain <= kNoChange) continue;
       archive_parent(task, population, at(population.individuals, i).genes);
-      successes.push_back({factors, gain_m});
+      successes.push_back({factors, gain});
     }
     population.individuals = std::move(next);
     remember(history, successes);

@@ -76,21 +76,21 @@ TEST_F(FieldComparison, ReadsWhatItSays) {
 TEST_F(FieldComparison, GapsAreThoseToTheShortestPlan) {
   Comparison comparison =
       read("repeats: 2\nstop: {iterations: 10}\n" + kFourParts + kRegionPlanners);
-  prove_least_lengths(comparison, {2, {}, {}});
+  prove_least_costs(comparison, {2, {}, {}});
   const ComparedRegion& region = *comparison.maps[0].region;
-  ASSERT_TRUE(region.least_own_m && region.least_any_m);
-  EXPECT_LE(*region.least_any_m, *region.least_own_m + kLengthSum_m);
+  ASSERT_TRUE(region.least_own && region.least_any);
+  EXPECT_LE(*region.least_any, *region.least_own + kLengthSum_m);
   const ComparedFigure& gap = find_figure("gap", "test", "");
   for (const ComparedRun& run : run_comparison(comparison, {2, {}, {}})) {
     ASSERT_EQ(run.state, RunState::kPlanned);
-    const double least_m = run.planner == 2 ? *region.least_any_m : *region.least_own_m;
-    EXPECT_NEAR(gap.value(run), run.region.length_m / least_m - 1.0, 1e-12);
+    const double least_m = run.planner == 2 ? *region.least_any : *region.least_own;
+    EXPECT_NEAR(gap.value(run), run.region.cost / least_m - 1.0, 1e-12);
     EXPECT_GE(gap.value(run), -1e-9);
     if (run.planner == 1) {
       EXPECT_NEAR(gap.value(run), 0.0, 1e-9);
     }
     const PartSweeps sweeps = comparison.planners[static_cast<std::size_t>(run.planner)].sweeps;
-    EXPECT_NEAR(run.region.length_m, length_m(region_problem(region, sweeps), run.region.visits),
+    EXPECT_NEAR(run.region.cost, plan_cost(region_problem(region, sweeps), run.region.visits),
                 kLengthSum_m);
   }
 }
@@ -100,7 +100,7 @@ TEST_F(FieldComparison, HasNoGapWhereNothingIsProven) {
       "repeats: 1\nstop: {iterations: 1}\nparts: {width_m: 40}\n"
       "fields: [{generator: {parts: 30}}]\n" +
       kRegionPlanners);
-  prove_least_lengths(comparison, {1, {}, {}});
+  prove_least_costs(comparison, {1, {}, {}});
   const auto runs = run_comparison(comparison, {1, {}, {}});
   const ComparedFigure& gap = find_figure("gap", "test", "");
   EXPECT_FALSE(has_figure(gap, runs[0]));
@@ -132,7 +132,7 @@ TEST_F(FieldComparison, FilesNameFieldsPartsAndVisits) {
 TEST_F(FieldComparison, RefusesWhatItCannotCompare) {
   const std::string good = kFourParts + kRegionPlanners;
   EXPECT_THAT(refused("maps: [{generator: {}}]\n" + good), HasSubstr("maps: not with fields"));
-  EXPECT_THAT(refused(good + "cost: {objective: length}\n"), HasSubstr("cost: not with fields"));
+  EXPECT_THAT(refused(good + "cost: {objective: length}\n"), HasSubstr("cost: with fields only a file of measured costs"));
   EXPECT_THAT(refused(good + "drive: {vehicle: transplanter}\n"),
               HasSubstr("drive: not with fields"));
   EXPECT_THAT(refused("fields: []\n" + kRegionPlanners), HasSubstr("at least one field"));

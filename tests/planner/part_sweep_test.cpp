@@ -117,7 +117,7 @@ TEST(WorkedParts, HaveTheirOwnSweepFirstAndOthersOnlyWhenAsked) {
     const Polyline line = way_of(any, {0, variant});
     EXPECT_EQ(variant_of(problem, {0, variant}).entry_W, line.front());
     EXPECT_EQ(variant_of(problem, {0, variant}).exit_W, line.back());
-    EXPECT_EQ(variant_of(problem, {0, variant}).length_m, length_m(line));
+    EXPECT_EQ(variant_of(problem, {0, variant}).cost, length_m(line));
   }
 }
 

@@ -15,8 +15,11 @@
 #include "planner/algorithms/region_exact.h"
 #include "planner/algorithms/region_iga.h"
 #include "planner/algorithms/region_local_search.h"
+#include "planner/region_energy.h"
 #include "planner/region_generator.h"
 #include "planner/worked_parts.h"
+#include "tests/planner/made_up_cost.h"
+#include "tests/planner/waves.h"
 #include "tests/terrains/refusal.h"
 
 namespace headland {
@@ -103,10 +106,10 @@ TEST_P(EveryRegionPlanner, VisitsEveryPartOnceAndCountsWhatItDoes) {
     const RegionPlan plan = planner_.plan(request(problem));
     EXPECT_EQ(plan.planner, planner_.name);
     EXPECT_TRUE(visits_every_part_once(problem, plan));
-    EXPECT_NEAR(plan.length_m, length_m(problem, plan.visits), kLengthRounding_m);
+    EXPECT_NEAR(plan.cost, plan_cost(problem, plan.visits), kLengthRounding_m);
     EXPECT_GT(plan.evaluations, 0);
     ASSERT_FALSE(plan.convergence.empty());
-    EXPECT_NEAR(plan.convergence.back().cost, plan.length_m, kLengthRounding_m);
+    EXPECT_NEAR(plan.convergence.back().cost, plan.cost, kLengthRounding_m);
     for (std::size_t i = 1; i < plan.convergence.size(); ++i) {
       EXPECT_LT(plan.convergence[i].cost, plan.convergence[i - 1].cost);
       EXPECT_GT(plan.convergence[i].iteration, plan.convergence[i - 1].iteration);
@@ -126,7 +129,7 @@ TEST_P(EveryRegionPlanner, IsTheSameForTheSameSeed) {
   const RegionPlan again = planner_.plan(request);
   EXPECT_EQ(one.visits, again.visits);
   EXPECT_EQ(one.evaluations, again.evaluations);
-  EXPECT_EQ(one.length_m, again.length_m);
+  EXPECT_EQ(one.cost, again.cost);
 }
 
 TEST_P(EveryRegionPlanner, EndsAtItsLimits) {
@@ -161,8 +164,8 @@ TEST_P(EveryRegionPlanner, RefusesWhatIsNoProblem) {
   };
   EXPECT_THAT(told({}), HasSubstr("parts: '0': at least one part"));
   RegionProblem problem = made_up_problem(2, 1);
-  problem.parts[1][2].length_m = std::nan("");
-  EXPECT_THAT(told(problem), HasSubstr("parts[1].length_m: 'nan'"));
+  problem.parts[1][2].cost = std::nan("");
+  EXPECT_THAT(told(problem), HasSubstr("parts[1].cost: 'nan'"));
   problem.parts[1].clear();
   EXPECT_THAT(told(problem), HasSubstr("parts[1]: '0': at least one variant"));
   problem = made_up_problem(2, 1);
@@ -184,11 +187,61 @@ TEST(RegionLength, IsEquationFive) {
   RegionProblem problem;
   problem.parts = {{{{3, 0}, {3, 1}, 10.0}}, {{{3, 5}, {3, 0}, 20.0}}};
   const std::vector<RegionVisit> visits = {{0, 0}, {1, 0}};
-  EXPECT_DOUBLE_EQ(length_m(problem, visits), 34.0);
+  EXPECT_DOUBLE_EQ(plan_cost(problem, visits), 34.0);
   problem.start_W = Eigen::Vector2d(0, 0);
-  EXPECT_DOUBLE_EQ(length_m(problem, visits), 37.0);
+  EXPECT_DOUBLE_EQ(plan_cost(problem, visits), 37.0);
   problem.end_W = Eigen::Vector2d(8, 0);
-  EXPECT_DOUBLE_EQ(length_m(problem, visits), 42.0);
+  EXPECT_DOUBLE_EQ(plan_cost(problem, visits), 42.0);
+}
+
+// On the flat a plan takes what its metres take: worked, raised between lines, in transit between
+// parts. On a slope it matters which way they lead.
+TEST(RegionEnergy, TakesMeasuredMetresBySlopeAndDirection) {
+  const DriveCost cost = made_up_cost();
+  const PartSweep sweep{0.0, {{{0, 0}, {20, 0}}, {{0, 2}, {20, 2}}}};
+  const PartSweep above{0.0, {{{50, 0}, {70, 0}}}};
+  const std::vector<WorkedPart> parts = {{{}, {sweep}}, {{}, {above}}};
+  RegionProblem problem = region_problem(parts, Eigen::Vector2d(0, -10), std::nullopt);
+  price_by_energy(parts, cost, nullptr, problem);
+  const std::vector<RegionVisit> out = {{0, 0}, {1, 0}};
+  const double flat_wh = 10 * 0.3 + 40 * 1.0 + 2 * 0.4 + std::hypot(50.0, 2.0) * 0.3 + 20 * 1.0;
+  EXPECT_NEAR(plan_cost(problem, out), flat_wh, 1e-9);
+  const Heightfield east_is_up = waves(0.0, 40.0, 0.1);
+  price_by_energy(parts, cost, &east_is_up, problem);
+  const RegionVariant& up = problem.parts[1][0];
+  const RegionVariant& down = problem.parts[1][1];
+  EXPECT_NEAR(up.cost, 20 * 1.8, 1e-6);
+  EXPECT_NEAR(down.cost, 20 * 0.4, 1e-6);
+}
+
+// Every planner takes measured costs, and by them its plan takes no more than the one by length.
+// The searches draw at random: they are given what it takes to come to the best of few parts.
+TEST_P(EveryRegionPlanner, TakesNoMoreByMeasuredCostsThanByLength) {
+  constexpr double kWidth_m = 40.0;
+  const DriveCost cost = made_up_cost();
+  const Heightfield ground = waves(6.0, 300.0, 0.02);
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    const Field field = made_up_region({4, -1, 4e4, seed}, "test");
+    const std::vector<WorkedPart> parts =
+        worked_parts(region_parts(from_field(field), {}), kWidth_m, PartSweeps::kOwn);
+    RegionProblem by_length = region_problem(parts, {}, {});
+    RegionProblem by_energy = by_length;
+    price_by_energy(parts, cost, &ground, by_energy);
+    RegionRequest request = region_request(by_length, planner_.name);
+    request.stop.iterations = 300;
+    const RegionPlan shortest = planner_.plan(request);
+    request.problem = by_energy;
+    const RegionPlan measured = planner_.plan(request);
+    EXPECT_LE(measured.cost, plan_cost(by_energy, shortest.visits) + kLengthRounding_m);
+    EXPECT_NEAR(measured.cost, plan_cost(by_energy, measured.visits), kLengthRounding_m);
+  }
+}
+
+TEST(RegionEnergy, RefusesMorePartsThanItsTableHolds) {
+  RegionProblem problem;
+  problem.parts.assign(501, std::vector<RegionVariant>(4));
+  EXPECT_THAT(refusal([&] { price_links(made_up_cost(), nullptr, problem); }),
+              HasSubstr("parts: '2004 ways to work them': at most 2000 in all"));
 }
 
 TEST(RegionExact, FindsWhatEnumerationFindsOnAnyProblem) {
@@ -202,7 +255,7 @@ TEST(RegionExact, FindsWhatEnumerationFindsOnAnyProblem) {
     }
     RC_ASSERT(static_cast<double>(all.evaluations) == plans);
     RC_ASSERT(all.proven && exact.proven);
-    RC_ASSERT(std::abs(exact.length_m - all.length_m) < kLengthRounding_m);
+    RC_ASSERT(std::abs(exact.cost - all.cost) < kLengthRounding_m);
   }));
 }
 
@@ -210,12 +263,12 @@ TEST(RegionExact, IsNeverBeatenAndLocalSearchReachesIt) {
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     for (const PartSweeps sweeps : {PartSweeps::kOwn, PartSweeps::kAny}) {
       const RegionProblem problem = made_up_problem(8, seed, sweeps);
-      const double optimum_m = planned(problem, "region_exact").length_m;
+      const double optimum_m = planned(problem, "region_exact").cost;
       for (const RegionPlannerEntry& planner : region_planners()) {
         if (planner.name == "region_enumeration") continue;
         RegionRequest request = region_request(problem, planner.name);
         request.stop.iterations = 30;
-        const double own_m = planner.plan(request).length_m;
+        const double own_m = planner.plan(request).cost;
         EXPECT_GE(own_m, optimum_m - kLengthRounding_m) << planner.name;
         if (planner.name == "region_local_search") {
           EXPECT_LE(own_m, 1.01 * optimum_m);
@@ -227,8 +280,8 @@ TEST(RegionExact, IsNeverBeatenAndLocalSearchReachesIt) {
 
 TEST(RegionExact, MoreDirectionsNeverMakeTheOptimumLonger) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    EXPECT_LE(planned(made_up_problem(8, seed, PartSweeps::kAny), "region_exact").length_m,
-              planned(made_up_problem(8, seed), "region_exact").length_m + kLengthRounding_m);
+    EXPECT_LE(planned(made_up_problem(8, seed, PartSweeps::kAny), "region_exact").cost,
+              planned(made_up_problem(8, seed), "region_exact").cost + kLengthRounding_m);
   }
 }
 
@@ -252,10 +305,10 @@ TEST(ChooseVariants, FindsTheBestOfAllForTheOrder) {
     for (int place = 0; place < first; ++place) {
       RC_ASSERT(chosen[static_cast<std::size_t>(place)].variant == 0);
     }
-    const double chosen_m = length_m(problem, chosen);
+    const double chosen_m = plan_cost(problem, chosen);
     // Count through all choices like an odometer.
     for (;;) {
-      RC_ASSERT(length_m(problem, visits) > chosen_m - kLengthRounding_m);
+      RC_ASSERT(plan_cost(problem, visits) > chosen_m - kLengthRounding_m);
       int place = first;
       for (; place <= last; ++place) {
         RegionVisit& visit = visits[static_cast<std::size_t>(place)];
