@@ -299,7 +299,7 @@ Json plan_summary_json(const Job& job, const PlanResult& result) {
                     {"u_turns", result.grid_plan->counts.u_turns},
                     {"cost", result.grid_plan->cost},
                     {"added_passes", result.grid_drive->added_passes},
-                    {"runs_left_out", result.grid_drive->runs_left_out},
+                    {"runs_left_out", result.grid_drive->left_out.size()},
                     {"unworked_ratio", result.grid_drive->unworked_ratio},
                     {"unworked_cells", result.grid_drive->unworked.size()}};
   }

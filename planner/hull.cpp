@@ -47,32 +47,32 @@ double reach_along_m(const Hull& hull, double heading_rad, const Vector2d& along
          aside * hull.half_width_m;
 }
 
-Box chassis_of(const Hull& hull, double shrunk_m) {
+HullBox chassis_of(const Hull& hull, double shrunk_m) {
   const Vector2d shrunk = Vector2d::Constant(shrunk_m);
   return {Vector2d(-hull.rear_m, -hull.half_width_m) + shrunk,
           Vector2d(hull.front_m, hull.half_width_m) - shrunk};
 }
 
-Box bar_of(const Hull& hull) {
+HullBox bar_of(const Hull& hull) {
   const double half_m = hull.bar_half_width_m > 0.0 ? 0.5 * kImplementDepth_m : 0.0;
   return {{hull.bar_x_m - half_m, -hull.bar_half_width_m},
           {hull.bar_x_m + half_m, hull.bar_half_width_m}};
 }
 
-std::array<Vector2d, 4> corners_of(const Box& box) {
+std::array<Vector2d, 4> corners_of(const HullBox& box) {
   return {box.low, Vector2d(box.high.x(), box.low.y()), box.high,
           Vector2d(box.low.x(), box.high.y())};
 }
 
-double distance_to_box(const Vector2d& p, const Box& box) {
+double distance_to_box(const Vector2d& p, const HullBox& box) {
   return (box.low - p).cwiseMax(p - box.high).cwiseMax(0.0).norm();
 }
 
-double depth_in_box(const Vector2d& p, const Box& box) {
+double depth_in_box(const Vector2d& p, const HullBox& box) {
   return (p - box.low).cwiseMin(box.high - p).minCoeff();
 }
 
-bool clip(const Vector2d& a, const Vector2d& b, const Box& box, double& t0, double& t1) {
+bool clip(const Vector2d& a, const Vector2d& b, const HullBox& box, double& t0, double& t1) {
   t0 = 0.0;
   t1 = 1.0;
   const Vector2d along = b - a;
@@ -89,7 +89,7 @@ bool clip(const Vector2d& a, const Vector2d& b, const Box& box, double& t0, doub
   return t0 <= t1;
 }
 
-double segment_to_box(const Vector2d& a, const Vector2d& b, const Box& box) {
+double segment_to_box(const Vector2d& a, const Vector2d& b, const HullBox& box) {
   double t0 = 0.0;
   double t1 = 0.0;
   if (clip(a, b, box, t0, t1)) return 0.0;

@@ -30,23 +30,23 @@ double reach_with_bar_m(const Hull& hull);
 // How far [m] the chassis reaches from B's origin along a unit vector of W.
 double reach_along_m(const Hull& hull, double heading_rad, const Eigen::Vector2d& along_W);
 
-// A box in the frame of a pose: x along its heading.
-struct Box {
+// A part of the hull in the frame of a pose: x along its heading.
+struct HullBox {
   Eigen::Vector2d low;
   Eigen::Vector2d high;
 };
 
 // The chassis, `shrunk_m` smaller on every side.
-Box chassis_of(const Hull& hull, double shrunk_m = 0.0);
-Box bar_of(const Hull& hull);
-std::array<Eigen::Vector2d, 4> corners_of(const Box& box);
-double distance_to_box(const Eigen::Vector2d& p, const Box& box);
+HullBox chassis_of(const Hull& hull, double shrunk_m = 0.0);
+HullBox bar_of(const Hull& hull);
+std::array<Eigen::Vector2d, 4> corners_of(const HullBox& box);
+double distance_to_box(const Eigen::Vector2d& p, const HullBox& box);
 // Depth of a point inside the box, negative outside.
-double depth_in_box(const Eigen::Vector2d& p, const Box& box);
+double depth_in_box(const Eigen::Vector2d& p, const HullBox& box);
 // The part of segment ab in the box, as fractions; false when there is none (Liang-Barsky).
-bool clip(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Box& box, double& t0,
+bool clip(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const HullBox& box, double& t0,
           double& t1);
-double segment_to_box(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Box& box);
+double segment_to_box(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const HullBox& box);
 
 // Into the frame of a pose and back.
 struct PoseFrame {

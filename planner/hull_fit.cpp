@@ -13,7 +13,7 @@ using Eigen::Vector2d;
 // Depths nearer than this are equal: the first one found, a corner of the hull, names the place.
 constexpr double kSameDepth_m = 1e-9;
 
-double box_gap_m(const PoseFrame& frame, const Box& box, const Obstacle& obstacle) {
+double box_gap_m(const PoseFrame& frame, const HullBox& box, const Obstacle& obstacle) {
   const Vector2d p = frame.local(obstacle.p_W);
   const double distance_m =
       obstacle.run_W.isZero(0.0)
@@ -40,8 +40,8 @@ template <typename Visit>  // bool(double gap_m)
 bool every_gap(const FreeSpace& space, const Pose& pose, double shrunk_m, double reach_m,
                Visit visit) {
   const PoseFrame frame(pose);
-  const Box box = chassis_of(space.hull, shrunk_m);
-  const Box bar = bar_of(space.hull);
+  const HullBox box = chassis_of(space.hull, shrunk_m);
+  const HullBox bar = bar_of(space.hull);
   const double reach_obstacles_m =
       space.obstacles.empty() ? reach_m : kObstacleClearances * reach_m;
   const CellRange near = cells_near(space, pose.p_W, space.reach_with_bar_m + reach_obstacles_m);
@@ -82,7 +82,7 @@ double safe_distance_m(const FreeSpace& space, const Pose& pose) {
 
 bool fits(const FreeSpace& space, const Pose& pose, double clearance_m) {
   if (safe_distance_m(space, pose) > clearance_m) return true;
-  const Box box = chassis_of(space.hull);
+  const HullBox box = chassis_of(space.hull);
   if (!inside(space, PoseFrame(pose).world(0.5 * (box.low + box.high)))) return false;
   const double kept_m = std::max(0.0, clearance_m);
   const double shrunk_m = kept_m - clearance_m;
@@ -147,7 +147,7 @@ Overrun overrun(const FreeSpace& space, const Pose& pose) {
   Overrun worst;
   if (fits(space, pose, 0.0)) return worst;
   const PoseFrame frame(pose);
-  const Box box = chassis_of(space.hull);
+  const HullBox box = chassis_of(space.hull);
   const auto deepen = [&worst](double depth_m, const Vector2d& p_W, Limit limit) {
     if (depth_m > worst.depth_m + kSameDepth_m) worst = {depth_m, p_W, limit};
   };
