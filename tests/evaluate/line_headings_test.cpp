@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "planner/arcs.h"
@@ -9,8 +10,8 @@
 namespace headland {
 namespace {
 
-constexpr double kRadius_m = 4.0;
-constexpr double kLeast_m = 3.9;
+constexpr double kArcRadius_m = 4.0;
+constexpr double kTightest_m = 3.9;
 
 // Where the headings told from points alone are furthest from those they were drawn with [rad].
 struct Errors {
@@ -18,13 +19,13 @@ struct Errors {
   double of_directions_rad = 0.0;  // of the edges themselves
 };
 
-Errors errors_of(const std::vector<Arc>& arcs, std::size_t left_out_at_ends) {
+Errors errors_of(const std::vector<Arc>& arcs) {
   const std::vector<PathPoint> points = sample({{3.0, -2.0}, 0.4}, arcs, kPathSpacing_m)[0].points;
   std::vector<Eigen::Vector2d> points_W;
   for (const PathPoint& point : points) points_W.push_back(point.p_W);
-  const std::vector<EdgeHeading> edges = edge_headings(points_W, kLeast_m);
+  const std::vector<EdgeHeading> edges = edge_headings(points_W, kTightest_m);
   Errors errors;
-  for (std::size_t i = left_out_at_ends; i + left_out_at_ends < edges.size(); ++i) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
     const auto off = [&](double heading_rad, std::size_t point) {
       return std::abs(wrap_angle(heading_rad - points[point].heading_rad));
     };
@@ -39,15 +40,15 @@ Errors errors_of(const std::vector<Arc>& arcs, std::size_t left_out_at_ends) {
 // directions of edges are half an edge's turn off, and the reading must be better for a reason.
 TEST(LineHeadings, AreThoseOfTheCurveThatPointsWereTakenFrom) {
   constexpr double kRounding_rad = 1e-6;
-  const double curvature = 1.0 / kRadius_m;
-  const double half_edge_rad = 0.5 * kPathSpacing_m / kRadius_m;
+  const double curvature = 1.0 / kArcRadius_m;
+  const double half_edge_rad = 0.5 * kPathSpacing_m / kArcRadius_m;
   const std::vector<std::vector<Arc>> ways = {
       {{6.0, curvature}},
       {{5.0, 0.0}, {6.0, curvature}, {5.0, 0.0}},
       {{6.0, curvature}, {6.0, -curvature}},
       {{3.0, -curvature}, {2.0, 0.0}, {7.1, curvature}, {3.3, -curvature}}};
   for (const std::vector<Arc>& arcs : ways) {
-    const Errors errors = errors_of(arcs, 0);
+    const Errors errors = errors_of(arcs);
     EXPECT_LT(errors.at_points_rad, kRounding_rad);
     EXPECT_GT(errors.of_directions_rad, 0.9 * half_edge_rad);
   }
@@ -57,7 +58,7 @@ TEST(LineHeadings, SharpAndTightCornersKeepTheirEdgesDirections) {
   const std::vector<Eigen::Vector2d> sharp = {{0, 0}, {10, 0}, {10, 10}};
   const std::vector<Eigen::Vector2d> tight = {{0, 0}, {0.3, 0}, {0.6, 0.09}};  // radius 1 m
   for (const auto& points_W : {sharp, tight}) {
-    const std::vector<EdgeHeading> edges = edge_headings(points_W, kLeast_m);
+    const std::vector<EdgeHeading> edges = edge_headings(points_W, kTightest_m);
     ASSERT_EQ(edges.size(), 2U);
     EXPECT_DOUBLE_EQ(heading_on(edges[0], edges[0].length_m), edges[0].direction_rad);
     EXPECT_DOUBLE_EQ(heading_on(edges[1], 0.0), edges[1].direction_rad);
@@ -70,7 +71,7 @@ TEST(LineHeadings, SharpAndTightCornersKeepTheirEdgesDirections) {
 // A bend of long edges is a curve near its corner alone.
 TEST(LineHeadings, ABendOfLongEdgesIsShort) {
   const std::vector<Eigen::Vector2d> bend = {{0, 0}, {20, 0}, {40, 2}};
-  const std::vector<EdgeHeading> edges = edge_headings(bend, kLeast_m);
+  const std::vector<EdgeHeading> edges = edge_headings(bend, kTightest_m);
   EXPECT_NEAR(heading_on(edges[0], 20.0), 0.5 * std::atan2(2.0, 20.0), 1e-3);
   EXPECT_DOUBLE_EQ(heading_on(edges[0], 10.0), 0.0);
   EXPECT_DOUBLE_EQ(heading_on(edges[0], 0.0), 0.0);
