@@ -84,7 +84,7 @@ nlohmann::ordered_json driven(const Course& course, const GridPlannerEntry& plan
   row["path_s"] = seconds_since(begun);
   row["runs"] = drive.plan.passes.size();
   row["added"] = drive.added_passes;
-  row["left_out"] = drive.runs_left_out;
+  row["left_out"] = drive.left_out.size();
   row["unworked_percent"] = 100.0 * drive.unworked_ratio;
   const Heightfield terrain = read_terrain({}, field, "grid_drive");
   const SoilMap soil = read_soil({}, field, "grid_drive").map;
