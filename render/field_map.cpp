@@ -14,6 +14,9 @@ namespace {
 
 using Point2 = Eigen::Vector2d;
 
+// Nobody sees a line so far beside itself.
+constexpr double kLineTolerance_px = 0.1;
+
 // Widths of the path's lines: as wide as the distance between swaths leaves room for.
 struct PathWidths {
   double planned_px = 1.0;
@@ -38,8 +41,7 @@ void draw_planned(Sheet& sheet, const PictureScene& scene, const MapView& view,
       if (is_pass(segment.kind) != passes) continue;
       std::vector<Point2> line;
       for (const PathPoint& point : segment.points) line.push_back(point.p_W);
-      constexpr double kTolerance_px = 0.4;
-      stroke(sheet, thinned(map_line(view, line), kTolerance_px), widths.planned_px,
+      stroke(sheet, simplified(map_line(view, line), kLineTolerance_px), widths.planned_px,
              passes ? colours::kPlannedPass : colours::kPlannedTurn);
     }
   }
@@ -48,8 +50,7 @@ void draw_planned(Sheet& sheet, const PictureScene& scene, const MapView& view,
 void draw_driven(Sheet& sheet, const PictureScene& scene, const MapView& view,
                  const PathWidths& widths) {
   if (scene.run.samples.empty()) return;
-  constexpr double kTolerance_px = 0.4;
-  stroke(sheet, thinned(track_line(view, scene), kTolerance_px), widths.driven_px,
+  stroke(sheet, simplified(track_line(view, scene), kLineTolerance_px), widths.driven_px,
          colours::kDriven);
 }
 

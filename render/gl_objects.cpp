@@ -27,6 +27,12 @@ GLuint compiled(GLenum stage, const char* source) {
   throw std::runtime_error(std::string("shader does not compile: ") + log.data());
 }
 
+// A side cut into as few equal pieces of at most `most_px` as there can be.
+int tile_side(int side_px, int most_px) {
+  const int pieces = (side_px + most_px - 1) / most_px;
+  return pieces > 0 ? (side_px + pieces - 1) / pieces : side_px;
+}
+
 }  // namespace
 
 GlProgram::GlProgram(const char* vertex_source, const char* fragment_source) {
@@ -152,8 +158,8 @@ GlPrograms::GlPrograms()
 GlFrame::GlFrame(int width, int height, Rgba background, int tile_px)
     : width_(width),
       height_(height),
-      tile_width_(std::min(width, tile_px)),
-      tile_height_(std::min(height, tile_px)),
+      tile_width_(tile_side(width, tile_px)),
+      tile_height_(tile_side(height, std::max(1, tile_px / 2))),
       background_(background) {
   // Tiles are moved windows of one view that spans the picture.
   std::array<GLint, 2> largest{};

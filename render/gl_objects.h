@@ -96,8 +96,8 @@ struct Canvas {
   Eigen::Vector2i tile_px;    // the tile's size
 };
 
-// Where pictures are drawn: colour with depth and stencil, 4 samples a pixel, in tiles that bound
-// the memory it takes. Throws InputError for a size that OpenGL or the memory does not allow.
+// Where pictures are drawn: colour with depth and stencil, 4 samples a pixel, in equal tiles that
+// bound the memory it takes. Throws InputError for a size that OpenGL or the memory does not allow.
 class GlFrame {
  public:
   GlFrame(int width, int height, Rgba background, int tile_px = kTile_px);
@@ -108,7 +108,7 @@ class GlFrame {
   // The picture that `paint` paints, which is called for every tile and paints the same each time.
   Image draw(const std::function<void(const Canvas&)>& paint) const;
 
-  static constexpr int kTile_px = 2048;
+  static constexpr int kTile_px = 2048;  // wide, and half as high
 
  private:
   void read_into(Image& image, const Canvas& canvas) const;

@@ -1,6 +1,10 @@
 #include "render/sheet.h"
 
 #include <algorithm>
+#include <boost/geometry/algorithms/simplify.hpp>
+#include <boost/geometry/geometries/linestring.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -19,16 +23,39 @@ void add_triangle(Sheet& sheet, const Point3& a, const Point3& b, const Point3& 
 
 Point3 flat(const Point2& p) { return {p.x(), p.y(), 0.0}; }
 
-// Round end or joint. The fewer corners, the narrower the line.
-void add_joint(Sheet& sheet, const Point3& p, double radius_px, Rgba colour) {
-  const int corners = std::clamp(static_cast<int>(4.0 + 4.0 * radius_px), 6, 48);
-  Point3 previous = p + Point3(radius_px, 0.0, 0.0);
-  for (int i = 1; i <= corners; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / corners;
-    const Point3 next = p + radius_px * Point3(std::cos(angle), std::sin(angle), 0.0);
-    add_triangle(sheet, p, previous, next, colour);
-    previous = next;
-  }
+// Sector of a disc, `turn_rad` from `from_rad` on. The fewer corners, the narrower the line.
+void add_sector(Sheet& sheet, const Point3& p, double radius_px, double from_rad, double turn_rad,
+                Rgba colour) {
+  const double whole = std::clamp(std::floor(4.0 + 4.0 * radius_px), 6.0, 48.0);
+  const int corners = std::max(
+      1, static_cast<int>(std::ceil(whole * std::abs(turn_rad) / (2.0 * std::numbers::pi) - 1e-9)));
+  const auto rim = [&](int i) {
+    const double angle = from_rad + turn_rad * i / corners;
+    return Point3(p + radius_px * Point3(std::cos(angle), std::sin(angle), 0.0));
+  };
+  for (int i = 0; i < corners; ++i) add_triangle(sheet, p, rim(i), rim(i + 1), colour);
+}
+
+void add_disc(Sheet& sheet, const Point3& p, double radius_px, Rgba colour) {
+  add_sector(sheet, p, radius_px, 0.0, 2.0 * std::numbers::pi, colour);
+}
+
+// What two legs of a line leave open on the outer side of the bend between them.
+void add_joint(Sheet& sheet, const Point3& p, const Point2& before, const Point2& after,
+               double radius_px, Rgba colour) {
+  const double turn_rad =
+      std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
+  // A gap that nobody sees.
+  constexpr double kLeastRim_px = 0.02;
+  if (radius_px * std::abs(turn_rad) < kLeastRim_px) return;
+  const double quarter = std::copysign(0.5 * std::numbers::pi, -turn_rad);
+  add_sector(sheet, p, radius_px, std::atan2(before.y(), before.x()) + quarter, turn_rad, colour);
+}
+
+// Half a disc ahead of a line that ends at p.
+void add_end(Sheet& sheet, const Point3& p, const Point2& outwards, double radius_px, Rgba colour) {
+  add_sector(sheet, p, radius_px, std::atan2(outwards.y(), outwards.x()) - 0.5 * std::numbers::pi,
+             std::numbers::pi, colour);
 }
 
 void add_segment(Sheet& sheet, const Point3& a, const Point3& b, double width_px, Rgba colour) {
@@ -38,6 +65,20 @@ void add_segment(Sheet& sheet, const Point3& a, const Point3& b, double width_px
   const Point3 side(-along.y() * 0.5 * width_px / length, along.x() * 0.5 * width_px / length, 0.0);
   add_triangle(sheet, a - side, a + side, b + side, colour);
   add_triangle(sheet, a - side, b + side, b - side, colour);
+}
+
+// Points that lie on one another in the picture have no direction between them.
+std::vector<Point3> without_repeats(std::span<const Point3> points_px, bool closed) {
+  std::vector<Point3> points;
+  points.reserve(points_px.size());
+  const auto apart = [](const Point3& a, const Point3& b) {
+    return a.x() != b.x() || a.y() != b.y();
+  };
+  for (const Point3& p : points_px) {
+    if (points.empty() || apart(p, points.back())) points.push_back(p);
+  }
+  while (closed && points.size() > 1 && !apart(points.front(), points.back())) points.pop_back();
+  return points;
 }
 
 }  // namespace
@@ -63,20 +104,33 @@ void fill_convex(Sheet& sheet, std::span<const Point2> points_px, Rgba colour) {
 }
 
 void fill_disc(Sheet& sheet, const Point2& centre_px, double radius_px, Rgba colour) {
-  add_joint(sheet, flat(centre_px), radius_px, colour);
+  add_disc(sheet, flat(centre_px), radius_px, colour);
 }
 
 void stroke(Sheet& sheet, std::span<const Point3> points_px, double width_px, Rgba colour,
             bool closed) {
-  const std::size_t count = points_px.size();
-  for (std::size_t i = 1; i < count; ++i) {
-    add_segment(sheet, points_px[i - 1], points_px[i], width_px, colour);
+  const std::vector<Point3> points = without_repeats(points_px, closed);
+  const std::size_t count = points.size();
+  if (count == 0) return;
+  const std::size_t legs = closed && count > 2 ? count : count - 1;
+  for (std::size_t i = 0; i < legs; ++i) {
+    add_segment(sheet, points[i], points[(i + 1) % count], width_px, colour);
   }
-  if (closed && count > 2) add_segment(sheet, points_px[count - 1], points_px[0], width_px, colour);
   // Below this width a joint's roundness cannot be seen.
   constexpr double kRoundFrom_px = 1.25;
   if (width_px < kRoundFrom_px) return;
-  for (const Point3& p : points_px) add_joint(sheet, p, 0.5 * width_px, colour);
+  const double radius_px = 0.5 * width_px;
+  if (legs == 0) return add_disc(sheet, points[0], radius_px, colour);
+  const auto along = [&](std::size_t leg) {
+    return Point2((points[(leg + 1) % count] - points[leg]).head<2>());
+  };
+  for (std::size_t leg = 1; leg < legs; ++leg) {
+    add_joint(sheet, points[leg], along(leg - 1), along(leg), radius_px, colour);
+  }
+  if (legs == count)
+    return add_joint(sheet, points[0], along(legs - 1), along(0), radius_px, colour);
+  add_end(sheet, points[0], -along(0), radius_px, colour);
+  add_end(sheet, points[count - 1], along(legs - 1), radius_px, colour);
 }
 
 void stroke(Sheet& sheet, std::span<const Point2> points_px, double width_px, Rgba colour,
@@ -157,6 +211,19 @@ std::vector<Point3> thinned(std::span<const Point3> points_px, double tolerance_
       kept.push_back(points_px[i]);
     }
   }
+  return kept;
+}
+
+std::vector<Point3> simplified(std::span<const Point3> points_px, double tolerance_px) {
+  using Line = boost::geometry::model::linestring<boost::geometry::model::d2::point_xy<double>>;
+  Line line;
+  line.reserve(points_px.size());
+  for (const Point3& p : points_px) line.emplace_back(p.x(), p.y());
+  Line simple;
+  boost::geometry::simplify(line, simple, tolerance_px);
+  std::vector<Point3> kept;
+  kept.reserve(simple.size());
+  for (const auto& p : simple) kept.emplace_back(p.x(), p.y(), 0.0);
   return kept;
 }
 

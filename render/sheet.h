@@ -64,6 +64,11 @@ void write_text(Sheet& sheet, Typeface& typeface, const Eigen::Vector2d& p_px,
 std::vector<Eigen::Vector3d> thinned(std::span<const Eigen::Vector3d> points_px,
                                      double tolerance_px);
 
+// The line on the page with only the points that bend it: no dropped point is farther than
+// `tolerance_px` from it (Douglas and Peucker; of points on a page, z is 0).
+std::vector<Eigen::Vector3d> simplified(std::span<const Eigen::Vector3d> points_px,
+                                        double tolerance_px);
+
 // Paints the sheet in the picture's coordinates; `test_depth`: hidden behind what is nearer.
 void paint(const Sheet& sheet, const Typeface& typeface, const Canvas& canvas,
            bool test_depth = false);
