@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+
+#include "render/sight.h"
 
 namespace headland {
 namespace {
@@ -15,6 +18,10 @@ constexpr double kStep_m = 0.3;      // between footprints that are drawn
 constexpr double kAcross_m = 1.0;    // between points across, so that wide strips lie on the ground
 constexpr double kLift_m = 0.03;
 constexpr std::size_t kPieceSteps = 100;
+
+Eigen::Vector3f box_corner(const Point2& p_W, float height_D) {
+  return {static_cast<float>(p_W.x()), static_cast<float>(p_W.y()), height_D};
+}
 
 bool is_finite(const FootprintSample& footprint) {
   return footprint.left_W.allFinite() && footprint.right_W.allFinite();
@@ -40,10 +47,14 @@ Furrows::Strips Furrows::strips_of(const PictureScene& scene, const Relief& reli
            {static_cast<float>(share * width_m), static_cast<float>(footprint.time_s)}});
       piece.extent.low = piece.extent.low.cwiseMin(p_W);
       piece.extent.high = piece.extent.high.cwiseMax(p_W);
+      piece.heights_D = {std::min(piece.heights_D.x(), static_cast<float>(p_D.z())),
+                         std::max(piece.heights_D.y(), static_cast<float>(p_D.z()))};
     }
   };
-  const auto start_piece = [&](const Point2& p_W) {
-    strips.pieces.push_back({{p_W, p_W}, strips.indices.size(), 0});
+  const auto start_piece = [&](const FootprintSample& first) {
+    constexpr float kNone = std::numeric_limits<float>::infinity();
+    strips.pieces.push_back(
+        {{first.left_W, first.left_W}, {kNone, -kNone}, first.time_s, strips.indices.size(), 0});
   };
   const FootprintSample* last = nullptr;
   std::size_t steps = 0;
@@ -60,8 +71,8 @@ Furrows::Strips Furrows::strips_of(const PictureScene& scene, const Relief& reli
       continue;
     }
     if (!joined || steps % kPieceSteps == 0) {
-      start_piece(footprint.left_W);
       // A piece goes on from where the one before it ended.
+      start_piece(joined ? *last : footprint);
       if (joined) add_row(*last);
     }
     ++steps;
@@ -114,10 +125,16 @@ void Furrows::paint(const Canvas& canvas, const Eigen::Matrix4f& clip, const Ext
   glEnable(GL_POLYGON_OFFSET_FILL);
   // The strips' corners lie on the ground, what is between them not quite.
   glPolygonOffset(-3.0F, -3.0F);
+  const Sight sight(clip);
   for (const Piece& piece : pieces_) {
+    if (piece.from_s > look.now_s) continue;
     const bool apart = (piece.extent.high.array() < extent.low.array()).any() ||
                        (piece.extent.low.array() > extent.high.array()).any();
-    if (!apart) triangles_.draw(piece.first, piece.count);
+    if (apart || sight.misses_box(box_corner(piece.extent.low, piece.heights_D.x()),
+                                  box_corner(piece.extent.high, piece.heights_D.y()))) {
+      continue;
+    }
+    triangles_.draw(piece.first, piece.count);
   }
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDepthMask(GL_TRUE);

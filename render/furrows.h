@@ -34,7 +34,9 @@ class Furrows {
   // A piece of the strips and where it lies, so that pieces out of sight need not be drawn.
   struct Piece {
     Extent extent;
-    std::size_t first = 0;  // index
+    Eigen::Vector2f heights_D = Eigen::Vector2f::Zero();  // lowest and highest
+    double from_s = 0.0;                                  // worked from then on
+    std::size_t first = 0;                                // index
     std::size_t count = 0;
   };
   struct Strips {

@@ -92,12 +92,10 @@ MapView map_view(const PictureScene& scene, const Page& page) {
 
 namespace {
 
-// Finer than its pixels it would only cost time.
-Mesh map_mesh(const PictureScene& scene, const MapView& view, Rgba colour) {
-  constexpr double kSpacing_px = 2.0;
+Mesh map_mesh(const PictureScene& scene, const MapView& view, Rgba colour, double spacing_px) {
   return relief_mesh(scene.terrain, view.relief,
                      grown(view.camera.window, 2.0 * scene.terrain.cell_m), colour,
-                     kSpacing_px / view.camera.px_per_m);
+                     spacing_px / view.camera.px_per_m);
 }
 
 SurfaceLook contoured(SurfaceLook look, const MapView& view) {
@@ -117,8 +115,8 @@ Eigen::Matrix4f map_clip(const PictureScene& scene, const MapView& view) {
 }  // namespace
 
 MapGround::MapGround(const PictureScene& scene, const MapView& view, const CoverageClasses& classes,
-                     const SurfaceLook& wanted, Rgba ground)
-    : surface(upload(map_mesh(scene, view, ground))),
+                     const SurfaceLook& wanted, Rgba ground, double spacing_px)
+    : surface(upload(map_mesh(scene, view, ground, spacing_px))),
       coverage(classes),
       look(contoured(wanted, view)),
       clip(map_clip(scene, view)) {}

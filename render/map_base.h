@@ -19,10 +19,13 @@ struct MapView {
 };
 MapView map_view(const PictureScene& scene, const Page& page);
 
-// Shaded ground with contours and coverage, on the graphics side.
+// Shaded ground with contours and coverage, on the graphics side. Its nodes lie about `spacing_px`
+// apart where the terrain has so many: finer ones are not seen and cost time.
+inline constexpr double kFineGround_px = 2.0;
+inline constexpr double kMovingGround_px = 6.0;  // for one picture among many
 struct MapGround {
   MapGround(const PictureScene& scene, const MapView& view, const CoverageClasses& classes,
-            const SurfaceLook& look, Rgba ground);
+            const SurfaceLook& look, Rgba ground, double spacing_px = kFineGround_px);
   GlTriangles surface;
   SurfaceCoverage coverage;
   SurfaceLook look;

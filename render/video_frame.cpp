@@ -84,7 +84,7 @@ struct VideoPainter::State {
         layout(layout_of(wanted.size)),
         typeface(kFontFile, kBoldFontFile),
         map(map_view(whole, layout.page)),
-        ground(whole, map, {}, map_look(), colours::kGround),
+        ground(whole, map, {}, map_look(), colours::kGround, kMovingGround_px),
         // Frame D of all frames, wherever the machine is.
         world(whole, {last_pose(whole.run)->p_WB.z(), 1.0}, moment_sun()),
         frame(wanted.size.width, wanted.size.height, colours::kPaper) {

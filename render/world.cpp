@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "render/obstacle_mesh.h"
+#include "render/sight.h"
 
 namespace headland {
 namespace {
@@ -81,9 +82,12 @@ Mesh vehicle_shadow_of(const World& world, const RunSample* sample, const Mesh& 
 Mesh ground_of(const World& world, const FieldView& view, Surroundings surroundings,
                const Point2& centre_W) {
   const Heightfield& terrain = world.scene.terrain;
-  return surroundings == Surroundings::kSky
-             ? graded_relief_mesh(terrain, world.relief, view.block, centre_W, colours::kMeadow)
-             : relief_mesh(terrain, world.relief, view.block, colours::kMeadow);
+  if (surroundings != Surroundings::kSky) {
+    return relief_mesh(terrain, world.relief, view.block, colours::kMeadow);
+  }
+  Mesh ground = graded_relief_mesh(terrain, world.relief, view.block, centre_W, colours::kMeadow);
+  drop_unseen(ground, Sight(clip_from_D(view.camera)));
+  return ground;
 }
 
 Mesh sides_of(const World& world, const FieldView& view, Surroundings surroundings) {
