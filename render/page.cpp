@@ -100,9 +100,13 @@ void write_title(Sheet& sheet, Typeface& typeface, const Page& page, const Pictu
   if (run.samples.empty()) {
     line += "  ·  not driven";
   } else {
-    line += fmt::format("  ·  {:.2f} km in {}  ·  {}", run.distance_m / 1000.0,
-                        duration_text(run.duration_s),
-                        scene.moment_s ? "under way" : outcome_name(run.outcome));
+    // Totals and outcome may be missing where the record is.
+    line += run.duration_s > 0.0 || run.samples.back().time_s <= 0.0
+                ? fmt::format("  ·  {:.2f} km in {}  ·  {}", run.distance_m / 1000.0,
+                              duration_text(run.duration_s),
+                              scene.moment_s ? "under way" : outcome_name(run.outcome))
+                : fmt::format("  ·  {} on record, totals missing",
+                              duration_text(run.samples.back().time_s));
   }
   const TextStyle body = page.text(kBody);
   write_text(sheet, typeface, {x, page.px(76)}, fitted_text(typeface, line, body, room), body,
