@@ -10,7 +10,7 @@
 #include "apps/compare_summary.h"
 #include "apps/interrupt.h"
 #include "apps/progress.h"
-#include "apps/report_stage.h"
+#include "apps/set_reports.h"
 #include "apps/terminal_text.h"
 #include "evaluate/atomic_file.h"
 #include "evaluate/comparison_drive.h"

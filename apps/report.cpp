@@ -1,4 +1,4 @@
-// headland report: one page on what a run or a comparison left in its folder.
+// headland report: one page on what a run, a comparison or a tuning left in its folder.
 #include <fmt/format.h>
 
 #include <memory>
@@ -7,9 +7,11 @@
 #include "apps/compare_pictures.h"
 #include "apps/interrupt.h"
 #include "apps/report_stage.h"
+#include "apps/set_reports.h"
 #include "apps/terminal_text.h"
 #include "evaluate/atomic_file.h"
 #include "evaluate/results.h"
+#include "evaluate/tuning_file.h"
 #include "terrains/input_error.h"
 #include "terrains/input_file.h"
 #include "terrains/json_text.h"
@@ -29,8 +31,8 @@ struct ReportCommand {
 void require_folder(const fs::path& folder) {
   if (!fs::is_directory(folder)) {
     throw InputError(folder.string(), "", "",
-                     fs::exists(folder) ? "no folder: one that 'headland evaluate' or 'headland "
-                                          "compare' wrote is needed"
+                     fs::exists(folder) ? "no folder: one that 'headland evaluate', 'compare' or "
+                                          "'tune' wrote is needed"
                                         : "no such folder");
   }
 }
@@ -48,10 +50,12 @@ void require_place(const fs::path& folder, bool is_default) {
 
 std::string page_of_folder(const fs::path& folder) {
   if (fs::exists(folder / kComparisonFile)) return comparison_report(folder);
+  if (fs::exists(folder / kTuningFile)) return tuning_report(folder);
   if (!fs::exists(folder / kScenarioFile)) {
     throw InputError(folder.string(), "", "",
-                     fmt::format("neither {} of a run nor {} of a comparison is there",
-                                 kScenarioFile, kComparisonFile));
+                     fmt::format("neither {} of a run nor {} of a comparison nor {} of a tuning is "
+                                 "there",
+                                 kScenarioFile, kComparisonFile, kTuningFile));
   }
   require_file(folder / kScenarioFile);
   const Scenario scenario = read_scenario(folder / kScenarioFile);
@@ -81,9 +85,11 @@ int report(const ReportCommand& command) {
 }  // namespace
 
 void add_report_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("report", "Write a page on a run or a comparison");
+  auto* command = app.add_subcommand("report", "Write a page on a run, a comparison or a tuning");
   auto given = std::make_shared<ReportCommand>();
-  command->add_option("DIR", given->folder, "Folder that 'evaluate', 'drive' or 'compare' wrote")
+  command
+      ->add_option("DIR", given->folder,
+                   "Folder that 'evaluate', 'drive', 'compare' or 'tune' wrote")
       ->required();
   command->add_option("-o,--output", given->file, "File to write [DIR/report.html]");
   command->add_flag("--json", given->json, "Print the file's name as JSON");

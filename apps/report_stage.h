@@ -1,7 +1,6 @@
 // report.html of a results folder.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "apps/stages.h"
@@ -14,9 +13,5 @@ std::string run_report(const Job& job);
 
 // Writes it to report.html there.
 void report_stage(const Job& job);
-
-// The page of a comparison, from compare.json and the pictures beside it. Throws InputError for a
-// file that is no comparison's.
-std::string comparison_report(const std::filesystem::path& folder);
 
 }  // namespace headland

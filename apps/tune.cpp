@@ -8,14 +8,17 @@
 #include "apps/commands.h"
 #include "apps/interrupt.h"
 #include "apps/progress.h"
+#include "apps/set_reports.h"
 #include "apps/terminal_text.h"
 #include "apps/tune_pictures.h"
 #include "apps/tune_summary.h"
 #include "evaluate/atomic_file.h"
 #include "evaluate/measure.h"
+#include "evaluate/results.h"
 #include "evaluate/tuning_file.h"
 #include "render/gnuplot.h"
 #include "terrains/input_error.h"
+#include "terrains/input_file.h"
 #include "terrains/json_text.h"
 
 namespace headland {
@@ -89,31 +92,35 @@ int tune(const TuneCommand& command) {
   }
   check_output_folder(command.folder);
   const std::filesystem::path folder = command.folder;
-  for (const char* name : {kTuningFile, kWeightsFile, kCostsFile}) {
+  for (const char* name : {kTuningFile, kWeightsFile, kCostsFile, kReportFile}) {
     require_replaceable(folder / name);
   }
   Tuning tuning = read_tuning(command.spec);
+  const std::string spec = read_text(command.spec);
   require_gnuplot();
   RunStore store;
   open_store(command, store);
   if (tuning.costs.empty()) measure_for(command, tuning);
   const TuneResult result = tuned(command, tuning, store);
   nlohmann::ordered_json json = tuning_json(tuning, result, HEADLAND_VERSION);
+  json["spec"] = {{"file", tuning.file.filename().string()}, {"text", spec}};
   std::vector<FileText> files = {{kTuningFile, json_text(json, 1) + "\n"}};
   const std::string weights = tuned_weights_yaml(tuning, result);
   if (!weights.empty()) files.push_back({kWeightsFile, weights});
   // The figures first: pictures that cannot be drawn cost nobody a run.
   write_together(folder, files);
+  std::filesystem::remove(folder / kReportFile);
   std::vector<FileText> pictures = tune_pictures(tuning, result);
   for (const FileText& picture : pictures) json["pictures"].push_back(picture.name);
   pictures.push_back({kTuningFile, json_text(json, 1) + "\n"});
   write_together(folder, pictures);
+  write_together(folder, {{kReportFile, tuning_report(folder)}});
   if (command.json) {
     fmt::print("{}\n", json_text(json, 1));
   } else if (!command.quiet) {
-    fmt::print("{}\n{}figures and pictures are in {}\n", tune_summary(tuning, result),
+    fmt::print("{}\n{}figures, pictures and {} are in {}\n", tune_summary(tuning, result),
                weights.empty() ? "" : fmt::format("{}: {}; ", kWeightsFile, result.best_label),
-               terminal_text(command.folder));
+               kReportFile, terminal_text(command.folder));
   }
   stop_if_interrupted();
   return kExitRan;
@@ -138,7 +145,8 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->footer(
       "Example:\n  headland tune examples/tune.yaml -o out/tune\n"
       "  headland plan examples/field_b.yaml --weights out/tune/weights.yaml -o out/plan\n\n"
-      "Writes weights.yaml, tune.json, prediction.svg, savings.svg and pictures of plans.\n"
+      "Writes weights.yaml, tune.json, prediction.svg, savings.svg, pictures of plans,\n"
+      "and report.html that shows them.\n"
       "Ended early, by whatever, it goes on where it was when called again.\n"
       "Exits with 0, 2 for bad input, 130 after Ctrl-C (finished runs are kept).");
   command->callback([given, &exit_code] { exit_code = tune(*given); });

@@ -124,9 +124,9 @@ std::vector<FileText> tune_pictures(const Tuning& tuning, const TuneResult& resu
     return fmt::format("{}: measured costs save {:.1f} % over the weights of Wu et al.", of->first,
                        100.0 * of->second);
   };
-  add_plans(tuning, result, most->first, "plans_most_saved.png", heading(most), files);
+  add_plans(tuning, result, most->first, kMostSavedPicture, heading(most), files);
   if (least != most) {
-    add_plans(tuning, result, least->first, "plans_least_saved.png", heading(least), files);
+    add_plans(tuning, result, least->first, kLeastSavedPicture, heading(least), files);
   }
   return files;
 }

@@ -8,6 +8,9 @@
 
 namespace headland {
 
+inline constexpr char kMostSavedPicture[] = "plans_most_saved.png";
+inline constexpr char kLeastSavedPicture[] = "plans_least_saved.png";
+
 // Plans the pictured fields anew. Throws InputError without gnuplot or fonts.
 std::vector<FileText> tune_pictures(const Tuning& tuning, const TuneResult& result);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "evaluate/tuned_weights.h"
 
@@ -78,7 +79,7 @@ Json figures_json(const MethodFigures& figures) {
   return json;
 }
 
-Json plan_json(const PlanRun& plan) {
+Json plan_json(const PlanRun& plan, const std::vector<FormReport>& forms) {
   Json json = {{"block", plan.block}, {"method", plan.method}};
   if (!plan.fault.empty()) {
     json["why_not"] = plan.fault;
@@ -86,6 +87,16 @@ Json plan_json(const PlanRun& plan) {
   }
   json["energy_wh"] = plan.energy_wh;
   json["predicted_wh"] = number(plan.predicted_wh);
+  for (std::size_t i = 0; i < kPredictedKinds; ++i) {
+    json["predicted_kind_wh"][std::string(path_kind_name(static_cast<PathKind>(i)))] =
+        number(plan.predicted_kind_wh[i]);
+  }
+  // Moves that nothing counts: fits leave such plans out.
+  for (const FormReport& report : forms) {
+    json["fitted_wh"][std::string(grid_objective_name(report.fit.form))] =
+        plan.jumps ? Json(nullptr) : number(fitted_energy_wh(report.fit, plan));
+  }
+  json["time_s"] = plan.time_s;
   json["coverage_ratio"] = plan.coverage_ratio;
   json["repeats"] = plan.counts.repeats;
   json["turns"] = plan.counts.turns;
@@ -101,6 +112,8 @@ Json tuning_json(const Tuning& tuning, const TuneResult& result, std::string_vie
   json["name"] = tuning.name;
   json["seed"] = tuning.seed;
   json["planner"] = tuning.planner.name;
+  // A vehicle of one's own is told by its folder.
+  json["vehicle"] = std::filesystem::path(tuning.training.scenarios.front().vehicle).filename();
   json["training"] = tally_json(result.training);
   json["search"] = tally_json(result.search);
   json["held_out"] = tally_json(result.held_out);
@@ -114,7 +127,7 @@ Json tuning_json(const Tuning& tuning, const TuneResult& result, std::string_vie
   }
   json["held_out_plans"] = Json::array();
   for (const PlanRun& plan : result.held_out_plans) {
-    json["held_out_plans"].push_back(plan_json(plan));
+    json["held_out_plans"].push_back(plan_json(plan, result.forms));
   }
   json["pictures"] = Json::array();
   return json;

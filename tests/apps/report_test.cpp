@@ -49,13 +49,17 @@ TEST_F(ReportTest, RefusesFoldersThatAreNone) {
   EXPECT_THAT(refused("nowhere"), HasSubstr("nowhere: no such folder"));
   EXPECT_THAT(refused("tiny.yaml"), HasSubstr("tiny.yaml: no folder"));
   fs::create_directory(folder_ / "empty");
-  EXPECT_THAT(refused("empty"), HasSubstr("neither scenario.yaml of a run nor compare.json"));
+  EXPECT_THAT(refused("empty"), HasSubstr("neither scenario.yaml of a run nor compare.json of a "
+                                          "comparison nor tune.json of a tuning"));
   ASSERT_EQ(headland("plan tiny.yaml -o planned -q").exit_code, 0);
   EXPECT_THAT(refused("planned"), HasSubstr("'headland drive' or 'headland evaluate' writes it"));
   fs::create_directory(folder_ / "other");
   write("other/compare.json", "{\"runs\": []}");
   EXPECT_THAT(refused("other"), HasSubstr("'headland compare' writes such a file"));
-  for (const char* folder : {"empty", "planned", "other"}) {
+  fs::create_directory(folder_ / "tuned");
+  write("tuned/tune.json", "{\"name\": \"x\"}");
+  EXPECT_THAT(refused("tuned"), HasSubstr("'headland tune' writes such a file"));
+  for (const char* folder : {"empty", "planned", "other", "tuned"}) {
     EXPECT_FALSE(fs::exists(folder_ / folder / "report.html"));
   }
 }

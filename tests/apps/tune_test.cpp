@@ -53,7 +53,7 @@ TEST_F(TuneCommandTest, TunesAndPlansByWhatCameOut) {
             terrain + "held_out:\n  fields: {hook: {grid_map: hook.txt}}\n" + terrain);
   const CommandResult tuned = headland("tune small.yaml -o out");
   ASSERT_EQ(tuned.exit_code, 0) << tuned.err;
-  EXPECT_THAT(tuned.out, HasSubstr("figures and pictures are in out"));
+  EXPECT_THAT(tuned.out, HasSubstr("figures, pictures and report.html are in out"));
   // One held-out field tells no interval.
   EXPECT_THAT(tuned.out, HasSubstr("±- p 1"));
   const auto json = nlohmann::json::parse(text_of(folder_ / "out/tune.json"));
@@ -62,6 +62,18 @@ TEST_F(TuneCommandTest, TunesAndPlansByWhatCameOut) {
   ASSERT_GE(json["pictures"].size(), 4U);
   for (const std::string name : json["pictures"]) {
     EXPECT_GT(text_of(folder_ / "out" / name).size(), 1000U) << name;
+  }
+  EXPECT_EQ(json["vehicle"], "transplanter");
+  EXPECT_EQ(json["spec"]["file"], "small.yaml");
+  const std::string page = text_of(folder_ / "out/report.html");
+  EXPECT_THAT(page, HasSubstr("data-picture=\"plans_most_saved.png\""));
+  ASSERT_EQ(headland("report out -q").exit_code, 0);
+  EXPECT_TRUE(text_of(folder_ / "out/report.html") == page);
+  // What the kinds of movement are told to take is all that is told.
+  for (const auto& plan : json["held_out_plans"]) {
+    double sum_wh = 0.0;
+    for (const auto& [kind, wh] : plan["predicted_kind_wh"].items()) sum_wh += wh.get<double>();
+    EXPECT_NEAR(sum_wh, plan["predicted_wh"].get<double>(), 1e-6) << plan["method"];
   }
   write("map.yaml",
         "vehicle: transplanter\nfield: {grid_map: hook.txt}\n"

@@ -1,5 +1,5 @@
 // The parts of ECharts that the page uses, and how its charts look.
-import { BarChart, LineChart, SankeyChart } from 'echarts/charts';
+import { BarChart, CustomChart, LineChart, SankeyChart, ScatterChart } from 'echarts/charts';
 import {
   AriaComponent,
   AxisPointerComponent,
@@ -20,12 +20,14 @@ echarts.use([
   AxisPointerComponent,
   BarChart,
   CanvasRenderer,
+  CustomChart,
   DataZoomComponent,
   GridComponent,
   LegendComponent,
   LineChart,
   MarkLineComponent,
   SankeyChart,
+  ScatterChart,
   SVGRenderer,
   TitleComponent,
   TooltipComponent,
@@ -48,6 +50,33 @@ export const tooltip = {
   textStyle: { ...font, color: ink },
   confine: true,
 };
+
+// Intervals across the bars of a chart whose categories stand on its y axis: [category, low, high].
+export const whiskers = (intervals) => ({
+  type: 'custom',
+  silent: true,
+  z: 5,
+  data: intervals.filter(Boolean),
+  encode: { x: [1, 2], y: 0 },
+  renderItem: (_, api) => {
+    const kCap = 4;
+    const [low, y] = api.coord([api.value(1), api.value(0)]);
+    const [high] = api.coord([api.value(2), api.value(0)]);
+    const line = (x1, y1, x2, y2) => ({
+      type: 'line',
+      shape: { x1, y1, x2, y2 },
+      style: { stroke: ink, lineWidth: 1.5 },
+    });
+    return {
+      type: 'group',
+      children: [
+        line(low, y, high, y),
+        line(low, y - kCap, low, y + kCap),
+        line(high, y - kCap, high, y + kCap),
+      ],
+    };
+  },
+});
 
 const kPaperWidth = 680; // px that an A4 page is wide
 const charts = [];

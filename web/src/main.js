@@ -9,6 +9,7 @@ import './print.css';
 import { comparePage } from './compare_page.js';
 import { readData } from './data.js';
 import { runPage } from './run_page.js';
+import { tunePage } from './tune_page.js';
 
 // The pictures that stand in the plain page, by name, to be put where they belong.
 function takePictures(page) {
@@ -19,6 +20,8 @@ function takePictures(page) {
   return pictures;
 }
 
+const pages = { run: runPage, compare: comparePage, tune: tunePage };
+
 async function makePage() {
   // Charts measure their labels: the typeface must be there, or its stand-in will do.
   await Promise.all(
@@ -27,8 +30,7 @@ async function makePage() {
   const page = document.getElementById('page');
   const data = readData();
   const pictures = takePictures(page);
-  const made = data.kind === 'compare' ? comparePage(data, pictures) : runPage(data, pictures);
-  page.replaceChildren(...made.filter(Boolean));
+  page.replaceChildren(...pages[data.kind](data, pictures).filter(Boolean));
   document.documentElement.dataset.ready = 'true';
 }
 

@@ -301,19 +301,58 @@ describe('what is damaged is told', () => {
   }
 });
 
-test('a comparison is quiet, fits and is told in words', () =>
+const sets = {
+  compare: ['ranks', 'figures', 'plans', 'convergence', 'reproduce'],
+  tune: ['savings', 'plans', 'fits', 'runs', 'reproduce'],
+};
+for (const [kind, sections] of Object.entries(sets)) {
+  test(`${kind}'s page is quiet, fits and is told in words`, () =>
+    inBrowser(async (browser) => {
+      for (const [name, size] of [
+        ['wide', kDesktop],
+        ['narrow', kPhone],
+      ]) {
+        const opened = await openPage(browser, join(inputs[`${kind}Folder`], 'report.html'), size);
+        await seeAll(opened.page);
+        await opened.page.screenshot({ path: join(shots, `${kind}_${name}.png`), fullPage: true });
+        // What is folded up must fit as well.
+        await opened.page.$$eval('details', (all) => all.forEach((one) => (one.open = true)));
+        await assertLooks(opened.page);
+        assertQuiet(opened);
+        const ids = await opened.page.$$eval('section', (all) => all.map(({ id }) => id));
+        assert.deepEqual(ids, sections);
+        await opened.page.close();
+      }
+    }));
+}
+
+test('a tuning says what tune.json says', () =>
   inBrowser(async (browser) => {
-    for (const [name, size] of [
-      ['wide', kDesktop],
-      ['narrow', kPhone],
-    ]) {
-      const opened = await openPage(browser, join(inputs.compareFolder, 'report.html'), size);
-      await seeAll(opened.page);
-      await assertLooks(opened.page);
-      await opened.page.screenshot({ path: join(shots, `compare_${name}.png`), fullPage: true });
-      assertQuiet(opened);
-      const sections = await opened.page.$$eval('section', (all) => all.map(({ id }) => id));
-      assert.deepEqual(sections, ['ranks', 'figures', 'plans', 'convergence', 'reproduce']);
-      await opened.page.close();
-    }
+    const tune = JSON.parse(await readFile(join(inputs.tuneFolder, 'tune.json'), 'utf8'));
+    const { page } = await openPage(browser, join(inputs.tuneFolder, 'report.html'), kDesktop);
+    // The method named first is the one that saves most over boustrophedon.
+    const saved = tune.methods
+      .filter(({ method }) => method !== 'boustrophedon' && !method.startsWith('shuffled'))
+      .map(({ method, saves_over: over }) => [over.boustrophedon[0].mean_ratio, method])
+      .sort((a, b) => b[0] - a[0]);
+    assert.ok((await page.textContent('.verdict .sentence')).includes(saved[0][1]));
+    // A bar with its interval for each method but the reference, and all figures in a table.
+    const rows = await page.$$eval('#savings table', (all) =>
+      all.map((one) => one.rows.length - 1),
+    );
+    assert.equal(rows[0], tune.methods.length - 1);
+    const label = await page.getAttribute('#savings .chart', 'aria-label');
+    for (const [, method] of saved) assert.ok(label.includes(method), method);
+    // Every plan of every place is in a table.
+    const places = new Set(tune.held_out_plans.map(({ block }) => block));
+    const told = await page.$$eval('#plans .map-figures', (all) =>
+      all.map((one) => one.querySelectorAll('tbody tr').length),
+    );
+    assert.equal(told.length, places.size);
+    assert.equal(
+      told.reduce((a, b) => a + b, 0),
+      tune.held_out_plans.length,
+    );
+    assert.equal(await page.$$eval('figure img', (all) => all.length), 2);
+    assert.match(await page.textContent('#reproduce'), /tune\.yaml.*small tuning/s);
   }));

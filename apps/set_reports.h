@@ -1,0 +1,17 @@
+// report.html of what was made of many runs: a comparison, a tuning.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace headland {
+
+// The page of a comparison, from compare.json and the pictures beside it. Throws InputError for a
+// file that is no comparison's.
+std::string comparison_report(const std::filesystem::path& folder);
+
+// The page of a tuning, from tune.json and the pictures beside it. Throws InputError for a file
+// that is no tuning's.
+std::string tuning_report(const std::filesystem::path& folder);
+
+}  // namespace headland
