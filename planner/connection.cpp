@@ -18,6 +18,13 @@ constexpr int kMaxNodesPerRoute = 20000;
 // A connection keeps this much less than an end that gives way, for its own rounding [m].
 constexpr double kSame_m = 1e-4;
 
+// Gaps wider than this [m] are not measured: it takes longer than the steps that it saves.
+constexpr double kLookAhead_m = 0.5;
+
+int steps_of(const Arc& arc) {
+  return std::max(1, static_cast<int>(std::ceil(arc.length_m / kLookSpacing_m)));
+}
+
 // Calls visit(pose) at most kLookSpacing_m apart, from start to end, until it returns false;
 // visit may ask to skip ahead by returning how far [m] it wants to.
 template <typename Visit>  // double(const Pose&), negative to stop
@@ -26,7 +33,7 @@ bool walk(const Pose& from, const std::vector<Arc>& arcs, Visit visit) {
   double skip_m = visit(start);
   if (skip_m < 0.0) return false;
   for (const Arc& arc : arcs) {
-    const int steps = std::max(1, static_cast<int>(std::ceil(arc.length_m / kLookSpacing_m)));
+    const int steps = steps_of(arc);
     const double step_m = arc.length_m / steps;
     for (int i = 1; i <= steps; ++i) {
       skip_m -= step_m;
@@ -70,10 +77,26 @@ double clearance_between(const FreeSpace& space, const Pose& from, const Pose& t
 
 bool fits_along(const FreeSpace& space, const Pose& from, const std::vector<Arc>& arcs,
                 double clearance_m) {
+  double bend_per_m = 0.0;
+  for (const Arc& arc : arcs) bend_per_m = std::max(bend_per_m, std::abs(arc.curvature_per_m));
+  // What does not fit mostly shows at the joints and in the middles, before every place is looked
+  // at.
+  Pose start = from;
+  for (const Arc& arc : arcs) {
+    const int steps = steps_of(arc);
+    for (const int i : {steps / 2, steps}) {
+      if (!fits(space, pose_along(start, arc, i * (arc.length_m / steps)), clearance_m))
+        return false;
+    }
+    start = pose_along(start, arc, arc.length_m);
+  }
+  // No point of the hull moves further than this for a metre along the arcs.
+  const double swing = 1.0 + bend_per_m * space.reach_with_bar_m;
   return walk(from, arcs, [&](const Pose& pose) {
     const double safe_m = safe_distance_m(space, pose) - clearance_m;
-    if (safe_m > 0.0) return safe_m;
-    return fits(space, pose, clearance_m) ? 0.0 : -1.0;
+    if (safe_m > kLookAhead_m) return safe_m;
+    const double free_m = spare_m(space, pose, clearance_m, kLookAhead_m);
+    return free_m < 0.0 ? -1.0 : std::max(safe_m, free_m / swing);
   });
 }
 
@@ -98,20 +121,24 @@ std::optional<std::vector<Arc>> connect_by_turn(const FreeSpace& space, const Po
                                                 const Pose& to, const ConnectionOptions& options) {
   const double clearance_m = options.clearance_m;
   if (!fits(space, from, clearance_m) || !fits(space, to, clearance_m)) return std::nullopt;
+  const auto cheapest_fitting = [&](std::vector<Turn> found) -> std::optional<std::vector<Arc>> {
+    for (Turn& turn : found) {
+      if (turn.cost_m >= options.most_m) break;
+      if (fits_along(space, from, turn.arcs, clearance_m)) return std::move(turn.arcs);
+    }
+    return std::nullopt;
+  };
   // Run-outs only lengthen a turn, so they are looked at when the cheapest without does not fit.
   auto direct = turns(from, to, options.radius_m, space.hull.gears);
-  if (!direct.empty() && fits_along(space, from, direct.front().arcs, clearance_m)) {
-    return std::move(direct.front().arcs);
-  }
-  for (Turn& turn : turns_with_run_outs(from, to, options.radius_m, space.hull.gears)) {
-    if (fits_along(space, from, turn.arcs, clearance_m)) return std::move(turn.arcs);
+  if (direct.size() > 1) direct.resize(1);
+  if (auto arcs = cheapest_fitting(std::move(direct))) return arcs;
+  if (auto arcs =
+          cheapest_fitting(turns_with_run_outs(from, to, options.radius_m, space.hull.gears))) {
+    return arcs;
   }
   if (space.hull.gears == Gears::kForwardOnly) return std::nullopt;
   const Aside aside{roomier_side(space, from), roomier_side(space, to)};
-  for (Turn& turn : backing_turns(from, to, options.radius_m, aside)) {
-    if (fits_along(space, from, turn.arcs, clearance_m)) return std::move(turn.arcs);
-  }
-  return std::nullopt;
+  return cheapest_fitting(backing_turns(from, to, options.radius_m, aside));
 }
 
 std::optional<std::vector<Arc>> connect(const FreeSpace& space, const Pose& from, const Pose& to,

@@ -1,6 +1,7 @@
 // Joins two poses in a field by the cheapest curve that fits.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct ConnectionOptions {
   double radius_m = 0.0;
   double clearance_m = 0.0;  // >= -kFitTolerance_m
   CancelAsked cancelled{};
+  double most_m = std::numeric_limits<double>::infinity();  // turns that cost as much are left out
 };
 
 // The clearance [m] that both ends keep, at most `clearance_m`: no connection keeps more. Below

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "planner/segment.h"
 #include "planner/space_cells.h"
@@ -14,9 +15,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Cells along the longer side of the field: coarse enough to set up in milliseconds, fine enough
-// that most poses are settled by the cell's distance alone.
-constexpr double kCellsAlong = 128.0;
+// Cells in all: few enough to set up in some 10 ms, enough that most poses are settled by the
+// cell's distance alone and few edges run through each, in long fields too.
+constexpr double kMostCells = 256.0 * 256.0;
 constexpr double kMinCell_m = 0.5;
 // An edge is listed in the cells that it misses by less than this, which is rounding [m].
 constexpr double kListed_m = 1e-6;
@@ -100,10 +101,15 @@ double distance_to_edge(const FreeSpace& space, const Vector2d& p_W, int index) 
   return distance_to_segment(p_W, edge.a_W, edge.b_W);
 }
 
-// Looks at cells further and further out, from `first_ring`, until no edge in them can be nearer
-// than `nearest`, the best one known.
-NearestEdge search_outwards(const FreeSpace& space, const Vector2d& p_W, int first_ring,
-                            NearestEdge nearest) {
+// Looks at cells further and further out until no edge in them can be nearer than the best one.
+NearestEdge search_outwards(const FreeSpace& space, const Vector2d& p_W) {
+  NearestEdge nearest{std::numeric_limits<double>::max(), 0};
+  const CellPlace place = place_of(space, p_W);
+  // No edge is nearer than that, so cells all of whose ground is are empty.
+  const double least_m =
+      std::abs(place.cell.edge_distance_m) - (p_W - place.centre_W).norm() - space.cell_m;
+  const int first_ring =
+      std::max(0, static_cast<int>(std::floor(least_m / space.cell_m / std::numbers::sqrt2 - 0.5)));
   const CellRange one = cells_around(space, p_W, p_W);
   const int last_ring = std::max(space.columns, space.rows);
   for (int ring = first_ring; ring <= last_ring; ++ring) {
@@ -118,56 +124,69 @@ NearestEdge search_outwards(const FreeSpace& space, const Vector2d& p_W, int fir
   return nearest;
 }
 
-// Fewer edges than this are looked at one by one: rings of empty cells take longer.
-constexpr std::size_t kFewEdges = 32;
-
-NearestEdge search_all(const FreeSpace& space, const Vector2d& p_W) {
-  NearestEdge nearest{std::numeric_limits<double>::max(), 0};
-  for (std::size_t i = 0; i < space.edges.size(); ++i) {
-    const double distance_m = distance_to_segment(p_W, space.edges[i].a_W, space.edges[i].b_W);
-    if (distance_m < nearest.distance_m) nearest = {distance_m, static_cast<int>(i)};
+// Calls visit(column, row, distance_m) for every cell of the range, with the distance from its
+// centre to the nearest of `near`, by halves: what is nearest to a place in a half is no further
+// from the half's middle than the nearest to that, and twice as far as the place is.
+template <typename Distance, typename Visit>
+void measure_cells(const FreeSpace& space, const CellRange& range, const std::vector<int>& near,
+                   const Distance& distance_to_m, const Visit& visit) {
+  const Vector2d low = centre_of(space, range.column_0, range.row_0);
+  const Vector2d high = centre_of(space, range.column_1, range.row_1);
+  std::vector<double> away_m;
+  double least_m = std::numeric_limits<float>::max();
+  for (const int index : near) {
+    away_m.push_back(distance_to_m(0.5 * (low + high), index));
+    least_m = std::min(least_m, away_m.back());
   }
-  return nearest;
+  const bool across = range.column_1 - range.column_0 >= range.row_1 - range.row_0;
+  if (across && range.column_0 == range.column_1) {
+    visit(range.column_0, range.row_0, least_m);
+    return;
+  }
+  const double most_m = least_m + (high - low).norm() + kListed_m;
+  std::vector<int> kept;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    if (away_m[i] <= most_m) kept.push_back(near[i]);
+  }
+  CellRange first = range;
+  CellRange second = range;
+  int& end = across ? first.column_1 : first.row_1;
+  int& begin = across ? second.column_0 : second.row_0;
+  end = (across ? range.column_0 + range.column_1 : range.row_0 + range.row_1) / 2;
+  begin = end + 1;
+  measure_cells(space, first, kept, distance_to_m, visit);
+  measure_cells(space, second, kept, distance_to_m, visit);
 }
 
-// The edge nearest to a cell's centre, looked for around the answer of the cell before it.
-NearestEdge search_from(const FreeSpace& space, const Vector2d& centre, NearestEdge before) {
-  // No edge is nearer than that, so cells all of whose ground is are empty.
-  const double least_cells = before.distance_m / space.cell_m - 1.0;
-  const int first_ring =
-      std::max(0, static_cast<int>(std::floor(least_cells / std::numbers::sqrt2 - 0.5)));
-  before.distance_m = distance_to_edge(space, centre, before.edge);
-  return search_outwards(space, centre, first_ring, before);
+template <typename Distance, typename Visit>
+void measure(const FreeSpace& space, std::size_t count, const Distance& distance_to_m,
+             const Visit& visit) {
+  std::vector<int> all(count);
+  std::iota(all.begin(), all.end(), 0);
+  measure_cells(space, {0, space.columns - 1, 0, space.rows - 1}, all, distance_to_m, visit);
 }
 
 void measure_edges(FreeSpace& space) {
-  const bool few = space.edges.size() < kFewEdges;
   const std::vector<std::vector<double>> crossings = crossings_of_rows(space);
-  for (int row = 0; row < space.rows; ++row) {
+  const auto to_edge_m = [&](const Vector2d& p_W, int index) {
+    return distance_to_edge(space, p_W, index);
+  };
+  measure(space, space.edges.size(), to_edge_m, [&](int column, int row, double distance_m) {
     const std::vector<double>& crossing = crossings[static_cast<std::size_t>(row)];
-    NearestEdge nearest = nearest_edge(space, centre_of(space, 0, row));
-    for (int column = 0; column < space.columns; ++column) {
-      const Vector2d centre = centre_of(space, column, row);
-      nearest = few ? search_all(space, centre) : search_from(space, centre, nearest);
-      const auto beyond =
-          crossing.end() - std::upper_bound(crossing.begin(), crossing.end(), centre.x());
-      const double signed_m = beyond % 2 == 1 ? nearest.distance_m : -nearest.distance_m;
-      space.cells[cell_at(space, column, row)].edge_distance_m = static_cast<float>(signed_m);
-    }
-  }
+    const double x = centre_of(space, column, row).x();
+    const auto beyond = crossing.end() - std::upper_bound(crossing.begin(), crossing.end(), x);
+    space.cells[cell_at(space, column, row)].edge_distance_m =
+        static_cast<float>(beyond % 2 == 1 ? distance_m : -distance_m);
+  });
 }
 
 void measure_obstacles(FreeSpace& space) {
-  for (int row = 0; row < space.rows; ++row) {
-    for (int column = 0; column < space.columns; ++column) {
-      const Vector2d centre = centre_of(space, column, row);
-      float nearest_m = std::numeric_limits<float>::max();
-      for (const Obstacle& obstacle : space.obstacles) {
-        nearest_m = std::min(nearest_m, static_cast<float>(obstacle_gap_m(obstacle, centre)));
-      }
-      space.cells[cell_at(space, column, row)].obstacle_distance_m = nearest_m;
-    }
-  }
+  const auto to_obstacle_m = [&](const Vector2d& p_W, int index) {
+    return obstacle_gap_m(space.obstacles[static_cast<std::size_t>(index)], p_W);
+  };
+  measure(space, space.obstacles.size(), to_obstacle_m, [&](int column, int row, double gap_m) {
+    space.cells[cell_at(space, column, row)].obstacle_distance_m = static_cast<float>(gap_m);
+  });
 }
 
 }  // namespace
@@ -187,7 +206,9 @@ FreeSpace free_space(const Field& field, const Hull& hull) {
     high = high.cwiseMax(p);
   }
   space.origin_W = low;
-  space.cell_m = std::max(kMinCell_m, (high - low).maxCoeff() / kCellsAlong);
+  const Vector2d size = high - low;
+  space.cell_m =
+      std::max({kMinCell_m, std::sqrt(size.prod() / kMostCells), size.maxCoeff() / kMostCells});
   space.columns = static_cast<int>((high.x() - low.x()) / space.cell_m) + 1;
   space.rows = static_cast<int>((high.y() - low.y()) / space.cell_m) + 1;
   space.cells.resize(cell_at(space, 0, space.rows));
@@ -227,7 +248,7 @@ bool inside(const FreeSpace& space, const Vector2d& p_W) {
 }
 
 NearestEdge nearest_edge(const FreeSpace& space, const Vector2d& p_W) {
-  return search_outwards(space, p_W, 0, {std::numeric_limits<double>::max(), 0});
+  return search_outwards(space, p_W);
 }
 
 EdgeAhead edge_ahead(const FreeSpace& space, const Vector2d& p_W, double heading_rad) {

@@ -66,6 +66,10 @@ NearestEdge nearest_edge(const FreeSpace& space, const Eigen::Vector2d& p_W);
 // and kObstacleClearances times as much from obstacles. Under 1 us.
 bool fits(const FreeSpace& space, const Pose& pose, double clearance_m);
 
+// How much more [m] than the clearance the hull keeps from everything, at most `most_m` (>= 0);
+// negative where it does not fit.
+double spare_m(const FreeSpace& space, const Pose& pose, double clearance_m, double most_m);
+
 // Whether the implement at this pose works inside the boundary and outside holes, but for
 // `overhang_m` (>= 0, to within kFitTolerance_m) at both of its ends.
 bool works_inside(const FreeSpace& space, const Pose& pose, double overhang_m);

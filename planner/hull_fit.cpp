@@ -42,6 +42,8 @@ bool every_gap(const FreeSpace& space, const Pose& pose, double shrunk_m, double
   const PoseFrame frame(pose);
   const HullBox box = chassis_of(space.hull, shrunk_m);
   const HullBox bar = bar_of(space.hull);
+  const Vector2d middle_W = frame.world(0.5 * (box.low + box.high));
+  const double corner_m = 0.5 * (box.high - box.low).norm();
   const double reach_obstacles_m =
       space.obstacles.empty() ? reach_m : kObstacleClearances * reach_m;
   const CellRange near = cells_near(space, pose.p_W, space.reach_with_bar_m + reach_obstacles_m);
@@ -53,9 +55,9 @@ bool every_gap(const FreeSpace& space, const Pose& pose, double shrunk_m, double
   return every_cell(space, near, [&](const FreeSpace::Cell& cell) {
     for (const int index : cell.edges) {
       const FreeSpace::Edge& edge = space.edges[static_cast<std::size_t>(index)];
-      const Vector2d a = frame.local(edge.a_W);
-      if (beyond(distance_to_box(a, box), edge.b_W - edge.a_W, reach_m)) continue;
-      if (!visit(segment_to_box(a, frame.local(edge.b_W), box))) return false;
+      const double away_m = distance_to_segment(middle_W, edge.a_W, edge.b_W);
+      if (away_m > corner_m + reach_m) continue;
+      if (!visit(segment_to_box(frame.local(edge.a_W), frame.local(edge.b_W), box))) return false;
     }
     for (const int index : cell.obstacles) {
       const Obstacle& obstacle = space.obstacles[static_cast<std::size_t>(index)];
@@ -80,14 +82,23 @@ double safe_distance_m(const FreeSpace& space, const Pose& pose) {
       counted_m(place.cell.obstacle_distance_m - space.reach_with_bar_m - off_centre_m));
 }
 
-bool fits(const FreeSpace& space, const Pose& pose, double clearance_m) {
-  if (safe_distance_m(space, pose) > clearance_m) return true;
+double spare_m(const FreeSpace& space, const Pose& pose, double clearance_m, double most_m) {
+  if (safe_distance_m(space, pose) > clearance_m + most_m) return most_m;
   const HullBox box = chassis_of(space.hull);
-  if (!inside(space, PoseFrame(pose).world(0.5 * (box.low + box.high)))) return false;
+  if (!inside(space, PoseFrame(pose).world(0.5 * (box.low + box.high)))) return -1.0;
   const double kept_m = std::max(0.0, clearance_m);
   const double shrunk_m = kept_m - clearance_m;
-  return every_gap(space, pose, shrunk_m, kept_m,
-                   [kept_m](double gap_m) { return gap_m > kept_m; });
+  double least_m = most_m;
+  const bool kept = every_gap(space, pose, shrunk_m, kept_m + most_m, [&](double gap_m) {
+    least_m = std::min(least_m, gap_m - kept_m);
+    return gap_m > kept_m;
+  });
+  return kept ? least_m : -1.0;
+}
+
+bool fits(const FreeSpace& space, const Pose& pose, double clearance_m) {
+  return safe_distance_m(space, pose) > clearance_m ||
+         spare_m(space, pose, clearance_m, 0.0) >= 0.0;
 }
 
 bool works_inside(const FreeSpace& space, const Pose& pose, double overhang_m) {

@@ -140,6 +140,8 @@ struct DrivenLine {
 
 std::optional<std::vector<Arc>> arcs_between(Joining& joining, std::size_t before,
                                              std::size_t next) {
+  const std::vector<Arc>& known = joining.lines[before].turn_to_next;
+  if (next == before + 1 && !known.empty()) return known;
   const Pose from = pose_of(joining.lines[before].points.back());
   const Pose to = pose_of(joining.lines[next].points.front());
   const double clearance_m =

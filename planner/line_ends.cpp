@@ -42,25 +42,27 @@ bool closed(const Pass& pass) {
          pass.points_W.front() == pass.points_W.back();
 }
 
-// The round as a line that a turn from `from` reaches, by the cheapest one; none when no turn does.
-std::optional<WorkLine> begin_elsewhere(const Pass& round, const Pose& from, const FreeSpace& space,
-                                        const ConnectionOptions& options, double implement_x_B_m) {
+// Begins the round where the cheapest turn from the end of `from` leads to; false when none does.
+bool begin_elsewhere(const Pass& round, WorkLine& from, WorkLine& to, const FreeSpace& space,
+                     ConnectionOptions options, double implement_x_B_m) {
+  const Pose end = pose_of(from.points.back());
   std::optional<Pass> best;
-  double best_m = std::numeric_limits<double>::infinity();
-  for (const RoundBegin& begin : round_begins(round.points_W, from.p_W)) {
+  options.most_m = std::numeric_limits<double>::infinity();
+  for (const RoundBegin& begin : round_begins(round.points_W, end.p_W)) {
     stop_if(options.cancelled);
     // No turn is shorter than the way as the crow flies, and the rest begins further away.
-    const double away_m = (round.points_W[begin.point] - from.p_W).norm();
-    if (away_m - std::abs(implement_x_B_m) >= best_m) break;
+    const double away_m = (round.points_W[begin.point] - end.p_W).norm();
+    if (away_m - std::abs(implement_x_B_m) >= options.most_m) break;
     Pass begun{round.kind, begun_at(round.points_W, begin)};
-    const Pose to = pose_of(work_line_begin(begun, implement_x_B_m));
-    const auto arcs = connect_by_turn(space, from, to, options);
-    if (!arcs || cost_m(*arcs) >= best_m) continue;
-    best_m = cost_m(*arcs);
+    const Pose pose = pose_of(work_line_begin(begun, implement_x_B_m));
+    auto arcs = connect_by_turn(space, end, pose, options);
+    if (!arcs) continue;
+    options.most_m = cost_m(*arcs);
+    from.turn_to_next = std::move(*arcs);
     best = std::move(begun);
   }
-  if (!best) return std::nullopt;
-  return work_line(*best, implement_x_B_m);
+  if (best) to = work_line(*best, implement_x_B_m);
+  return best.has_value();
 }
 
 // How many points are cut off the end of one line and the begin of the next.
@@ -82,8 +84,9 @@ std::vector<double> cut_back(WorkLine& from, double end_m, WorkLine& to, double 
     stop_if(options.cancelled);
     const Cut cut = cut_by(from, end_m, to, begin_m, steps);
     const PathPoint& last = from.points[from.points.size() - 1 - cut.off_end];
-    return connect_by_turn(space, pose_of(last), pose_of(to.points[cut.off_begin]), options)
-        .has_value();
+    auto arcs = connect_by_turn(space, pose_of(last), pose_of(to.points[cut.off_begin]), options);
+    if (arcs) from.turn_to_next = std::move(*arcs);
+    return arcs.has_value();
   };
   int enough = static_cast<int>(std::ceil(std::max(end_m, begin_m) / kCutStep_m));
   if (enough == 0 || !turn_fits(enough)) return {};
@@ -115,15 +118,15 @@ std::vector<double> make_room_for_turns(const Plan& plan, const Field& field,
     stop_if(options.cancelled);
     WorkLine& from = lines[i];
     WorkLine& to = lines[i + 1];
-    const Pose end = pose_of(from.points.back());
     if (from.optional || to.optional) continue;
-    if (connect_by_turn(space, end, pose_of(to.points.front()), options)) continue;
-    if (closed(plan.passes[i + 1])) {
-      auto round = begin_elsewhere(plan.passes[i + 1], end, space, options, implement_x_B_m);
-      if (round) {
-        to = std::move(*round);
-        continue;
-      }
+    if (auto arcs = connect_by_turn(space, pose_of(from.points.back()), pose_of(to.points.front()),
+                                    options)) {
+      from.turn_to_next = std::move(*arcs);
+      continue;
+    }
+    if (closed(plan.passes[i + 1]) &&
+        begin_elsewhere(plan.passes[i + 1], from, to, space, options, implement_x_B_m)) {
+      continue;
     }
     const double end_m = allowance(plan.passes[i], inside_headland).end_m;
     const double begin_m = allowance(plan.passes[i + 1], inside_headland).begin_m;

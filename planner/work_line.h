@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "planner/arcs.h"
 #include "planner/path.h"
 #include "planner/plan.h"
 #include "vehicle_models/vehicle.h"
@@ -20,6 +21,8 @@ struct WorkLine {
   // Of optional lines: the pass driven the other way, as far as the hull fits; may be empty.
   std::vector<PathPoint> other_way;
   std::size_t other_run_in = 0;  // as run_in, of the other way
+  // A turn from its end to the begin of the next line, where one is known to fit; else empty.
+  std::vector<Arc> turn_to_next;
 };
 
 // The pass's line moved on by -implement_x_B_m along itself: an implement behind B's origin

@@ -4,8 +4,12 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <vector>
 
+#include "planner/connection.h"
+#include "planner/space_cells.h"
 #include "tests/planner/field_shapes.h"
 #include "tests/planner/made_up_vehicle.h"
 
@@ -138,6 +142,48 @@ TEST(FreeSpace, TheImplementIsAsDeepAsItIsInPhysics) {
   EXPECT_NEAR(depth_m(touching_m - 0.02), 0.02, kRounding_m);
   EXPECT_NEAR(depth_m(-touching_m + 0.02), 0.02, kRounding_m);
   EXPECT_EQ(depth_m(touching_m + 0.001), 0.0);
+}
+
+TEST(FreeSpace, CellsKnowTheDistanceFromTheirCentres) {
+  const Field field = wavy_field_with_hole();
+  const FreeSpace space = free_space(field, hull());
+  constexpr double kFloat_m = 1e-4;
+  for (int row = 0; row < space.rows; row += 7) {
+    for (int column = 0; column < space.columns; column += 5) {
+      const Vector2d centre_W = centre_of(space, column, row);
+      const FreeSpace::Cell& cell = space.cells[cell_at(space, column, row)];
+      EXPECT_NEAR(cell.edge_distance_m, field_clearance_m(field, centre_W), kFloat_m);
+      double obstacle_m = std::numeric_limits<double>::max();
+      for (const Obstacle& obstacle : field.obstacles) {
+        obstacle_m = std::min(obstacle_m, obstacle_gap_m(obstacle, centre_W));
+      }
+      EXPECT_NEAR(cell.obstacle_distance_m, obstacle_m, kFloat_m);
+      EXPECT_NEAR(nearest_edge(space, centre_W).distance_m, std::abs(cell.edge_distance_m),
+                  kFloat_m);
+    }
+  }
+}
+
+RC_GTEST_PROP(FreeSpace, FitsAlongIsFittingAtEveryPlace, ()) {
+  static const FreeSpace space = free_space(wavy_field_with_hole(), hull());
+  for (int i = 0; i < 20; ++i) {
+    const Pose from = random_pose();
+    const double clearance_m = *rc::gen::inRange(-10, 500) * 1e-3;
+    std::vector<Arc> arcs;
+    bool every = fits(space, from, clearance_m);
+    for (int k = *rc::gen::inRange(1, 4); k > 0; --k) {
+      const Pose start = end_of(from, arcs);
+      arcs.push_back({*rc::gen::inRange(1, 12000) * 1e-3, *rc::gen::inRange(-1, 2) / 3.0,
+                      *rc::gen::element(Gear::kForward, Gear::kReverse)});
+      const double length_m = arcs.back().length_m;
+      const int steps = static_cast<int>(std::ceil(length_m / kLookSpacing_m));
+      for (int step = 1; step <= steps; ++step) {
+        every = every &&
+                fits(space, pose_along(start, arcs.back(), length_m / steps * step), clearance_m);
+      }
+    }
+    RC_ASSERT(fits_along(space, from, arcs, clearance_m) == every);
+  }
 }
 
 Field square_field() {
