@@ -6,13 +6,11 @@
 
 #include "planner/outline.h"
 #include "planner/polygon.h"
+#include "terrains/field_source.h"
 #include "terrains/input_error.h"
 
 namespace headland {
 namespace {
-
-// Rounds inside an outline of more points, all teeth, would take minutes.
-constexpr std::size_t kMostPoints = 3000;
 
 void check_request(const PlanRequest& request) {
   const auto positive = [](const char* key, double value_m) {
@@ -25,12 +23,12 @@ void check_request(const PlanRequest& request) {
   positive("vehicle_width_m", request.vehicle_width_m);
   std::size_t points = request.field.boundary.size();
   for (const Ring& hole : request.field.holes) points += hole.size();
-  if (points > kMostPoints) {
+  if (points > kManyPoints) {
     const Eigen::Vector2d& at_W = request.field.boundary.front();
     throw PlanInfeasible(fmt::format(
         "the outline around ({:.1f}, {:.1f}) m still has {} points when simplified to {} m, more "
         "than {}; draw it with fewer",
-        at_W.x(), at_W.y(), points, kOutlineTolerance_m, kMostPoints));
+        at_W.x(), at_W.y(), points, kOutlineTolerance_m, kManyPoints));
   }
   const double widest_m = 2.0 * widest_disc(from_field(request.field)).radius_m;
   const auto narrow = [&](const char* key, double value_m) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <array>
 
 #include "terrains/field_outline.h"
 #include "terrains/gdal_scope.h"
@@ -47,7 +48,11 @@ void refuse_degrees(const Field& field, const std::string& source) {
                                kLeastPlainExtent_m));
 }
 
-// A ring's points that it keeps its shape without are left out.
+// Of outlines of which too many points are left otherwise; see simplify_outline_inside.
+constexpr std::array<double, 3> kRoughOutlines_m = {0.01, 0.02, 0.05};
+
+// A ring's points that it keeps its shape without are left out; of rough rings with more than can
+// be planned by, roughness too.
 void simplify(Field& field, std::vector<std::string>* notes) {
   const auto points_of_rings = [&field] {
     std::size_t count = field.boundary.size();
@@ -56,10 +61,19 @@ void simplify(Field& field, std::vector<std::string>* notes) {
   };
   const std::size_t before = points_of_rings();
   if (before <= kManyPoints) return;
+  const Field given = field;
   simplify_outline(field, kOutlineRounding_m);
+  std::string how = fmt::format("{:g} mm", 1e3 * kOutlineRounding_m);
+  for (const double tolerance_m : kRoughOutlines_m) {
+    if (points_of_rings() <= kManyPoints) break;
+    Field inside = given;
+    if (!simplify_outline_inside(inside, tolerance_m)) break;
+    field = std::move(inside);
+    how = fmt::format("{:g} mm, inside it", 2e3 * tolerance_m);
+  }
   if (notes == nullptr) return;
-  notes->push_back(fmt::format("field: {} points of its outlines simplified to {} within {:g} mm",
-                               before, points_of_rings(), 1e3 * kOutlineRounding_m));
+  notes->push_back(fmt::format("field: {} points of its outlines simplified to {} within {}",
+                               before, points_of_rings(), how));
 }
 
 GivenPolygon given_polygon(const FieldSource& given, const std::string& source,
@@ -114,8 +128,8 @@ Field read_field(const FieldSource& given, const std::string& source,
   }
   check_field(field, geometry_source);
   check_to_work(field, geometry_source);
-  simplify(field, notes);
   check_entry(field, source, given.entry_place);
+  simplify(field, notes);
   const auto add = [&](const std::vector<ObstacleSource>& obstacles, const std::string& crs,
                        const std::string& where_from) {
     for (std::size_t i = 0; i < obstacles.size(); ++i) {

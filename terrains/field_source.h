@@ -46,8 +46,8 @@ struct FieldSource {
 
 // Reads a field from anything GDAL's vector drivers read (GeoJSON, GPKG, shapefile, KML, GML), from
 // ISO 11783-10 task data, or from inline coordinates, brings it into the local frame W whose origin
-// is the boundary's centre rounded to 1e-4 deg, orients the rings, checks them, and simplifies
-// those of more than kManyPoints points together within kOutlineRounding_m, which it tells `notes`.
+// is the boundary's centre rounded to 1e-4 deg, orients and checks the rings, and simplifies those
+// of more than kManyPoints points (rough ones inside the field) and tells `notes` within how much.
 // Features of the file with a property `obstacle` (a kind: tree, pole, rock, wall, fence) are
 // obstacles: points with radius_m, lines with thickness_m, both with height_m; a line becomes one
 // obstacle for each straight piece. `source` is the scenario's file name for messages. Throws

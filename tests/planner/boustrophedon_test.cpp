@@ -10,6 +10,7 @@
 #include <numbers>
 #include <string>
 
+#include "planner/arcs.h"
 #include "planner/polygon.h"
 #include "terrains/field_source.h"
 #include "terrains/input_error.h"
@@ -166,6 +167,17 @@ TEST(Boustrophedon, TooManySwathsAreInfeasible) {
 }
 
 // 27.7 ha with a wavy boundary and a hole; the rows of the combine that made the log ran north.
+TEST(Boustrophedon, OutlineOfThousandsOfTeethIsRefused) {
+  Ring teeth;
+  for (int i = 0; i < 6000; ++i) {
+    const double angle_rad = 2.0 * std::numbers::pi * i / 6000;
+    teeth.emplace_back((200.0 + 0.3 * (i % 2)) * direction_of(angle_rad));
+  }
+  EXPECT_THAT(refusal(tractor(field_of("teeth", teeth))),
+              testing::AllOf(testing::HasSubstr("still has 6000 points when simplified to 0.01 m"),
+                             testing::HasSubstr("more than 5000; draw it with fewer")));
+}
+
 TEST(Boustrophedon, GartnerFieldIsCovered) {
   FieldSource source;
   source.file = HEADLAND_SOURCE_DIR "/../shared/data/gartner/boundary.geojson";

@@ -12,6 +12,7 @@
 #include "random_ring.h"
 #include "refusal.h"
 #include "scratch_folder.h"
+#include "terrains/field_outline.h"
 #include "vector_writer.h"
 
 namespace headland {
@@ -148,6 +149,48 @@ TEST(InlineField, ManyPointsAreSimplifiedWithinTheStatedTolerance) {
   notes.clear();
   EXPECT_EQ(read_field(inline_field(few), "demo.yaml", &notes).boundary, few);
   EXPECT_TRUE(notes.empty());
+}
+
+// Noise of a receiver is more than rounding: all of it would be planned by.
+TEST(InlineField, RoughOutlinesAreSimplifiedInsideTheField) {
+  constexpr int kPoints = 12000;
+  Ring ring;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle_rad = 2.0 * std::numbers::pi * i / kPoints;
+    const double radius_m = 100.0 + 5.0 * std::sin(3.0 * angle_rad) + 0.01 * (i % 3);
+    ring.emplace_back(radius_m * std::cos(angle_rad), radius_m * std::sin(angle_rad));
+  }
+  std::vector<std::string> notes;
+  Field given;
+  given.boundary = ring;
+  const Field field = read_field(inline_field(ring), "demo.yaml", &notes);
+  EXPECT_LT(field.boundary.size(), kManyPoints);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0],
+            fmt::format("field: {} points of its outlines simplified to {} within 40 mm, inside it",
+                        kPoints, field.boundary.size()));
+  for (std::size_t i = 0; i < field.boundary.size(); ++i) {
+    const Eigen::Vector2d& a = field.boundary[i];
+    const Eigen::Vector2d& b = field.boundary[(i + 1) % field.boundary.size()];
+    for (const Eigen::Vector2d& p : {a, Eigen::Vector2d(0.5 * (a + b))}) {
+      EXPECT_GE(field_clearance_m(given, p), 0.0);
+    }
+  }
+  for (std::size_t i = 0; i < ring.size(); i += 31) {
+    EXPECT_NEAR(field_clearance_m(field, ring[i]), 0.0, 0.04);
+  }
+}
+
+TEST(FieldOutline, IsNotSimplifiedInsideWhereThatCutsItApart) {
+  Field field;  // two squares and a neck of 4 cm between them
+  field.boundary = {{0.0, 0.0},    {20.0, 0.0},   {20.0, 9.98}, {30.0, 9.98},
+                    {30.0, 0.0},   {50.0, 0.0},   {50.0, 20.0}, {30.0, 20.0},
+                    {30.0, 10.02}, {20.0, 10.02}, {20.0, 20.0}, {0.0, 20.0}};
+  const Ring before = field.boundary;
+  EXPECT_FALSE(simplify_outline_inside(field, 0.05));
+  EXPECT_EQ(field.boundary, before);
+  EXPECT_TRUE(simplify_outline_inside(field, 0.01));
+  EXPECT_LT(signed_area_m2(field.boundary), signed_area_m2(before));
 }
 
 TEST(InlineField, EmptyBoundaryIsRefused) {
