@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "planner/connection.h"
+#include "planner/disc_cells.h"
 #include "planner/tight_pose.h"
 #include "planner/turns.h"
 
@@ -35,19 +36,13 @@ constexpr double kGreed = 1.5;
 constexpr double kGuideCellsAlong = 256.0;
 constexpr double kMinGuideCell_m = 0.5;
 
-// Shortest ways to the goal over square cells, for a disc of the hull's half width.
+// Shortest ways to the goal for a disc of the hull's half width.
 struct Guide {
-  Vector2d origin_W;
-  double cell_m = 1.0;
-  int columns = 0;
-  int rows = 0;
-  std::vector<double> distance_m;  // to the goal; max where there is no way
+  DiscCells cells;
+  std::vector<float> length_m;
 
-  int index(const Vector2d& p_W) const {
-    const Vector2d cell = (p_W - origin_W) / cell_m;
-    const int column = std::clamp(static_cast<int>(std::floor(cell.x())), 0, columns - 1);
-    const int row = std::clamp(static_cast<int>(std::floor(cell.y())), 0, rows - 1);
-    return row * columns + column;
+  double to_go_m(const Vector2d& p_W) const {
+    return length_m[static_cast<std::size_t>(cells.at(p_W))];
   }
 };
 
@@ -63,52 +58,14 @@ using Queue = std::priority_queue<Reached, std::vector<Reached>, std::greater<>>
 // Gates of the goal are as far from it as they are; those of the start need not be found free.
 Guide guide_to(const FreeSpace& space, const Pose& from, const Pose& to,
                const std::vector<Gate>& gates) {
-  Guide guide;
-  guide.origin_W = space.origin_W;
-  const Vector2d size = space.cell_m * Vector2d(space.columns, space.rows);
-  guide.cell_m = std::max(kMinGuideCell_m, size.maxCoeff() / kGuideCellsAlong);
-  guide.columns = static_cast<int>(size.x() / guide.cell_m) + 1;
-  guide.rows = static_cast<int>(size.y() / guide.cell_m) + 1;
-  std::vector<char> free;
-  for (int row = 0; row < guide.rows; ++row) {
-    for (int column = 0; column < guide.columns; ++column) {
-      const Vector2d centre = guide.origin_W + guide.cell_m * Vector2d(column + 0.5, row + 0.5);
-      free.push_back(disc_fits(space, centre, space.hull.half_width_m) ? 1 : 0);
-    }
-  }
-  free[static_cast<std::size_t>(guide.index(from.p_W))] = 1;
-  guide.distance_m.assign(free.size(), std::numeric_limits<double>::max());
-  const int goal = guide.index(to.p_W);
-  guide.distance_m[static_cast<std::size_t>(goal)] = 0.0;
-  Queue open;
-  open.push({0.0, goal});
-  for (const Gate& gate : gates) {
-    const int index = guide.index(gate.pose.p_W);
-    double& distance_m = guide.distance_m[static_cast<std::size_t>(index)];
-    if (gate.length_m >= distance_m) continue;
-    distance_m = gate.length_m;
-    open.push({distance_m, index});
-  }
-  while (!open.empty()) {
-    const Reached reached = open.top();
-    open.pop();
-    if (reached.cost > guide.distance_m[static_cast<std::size_t>(reached.index)]) continue;
-    const int column = reached.index % guide.columns;
-    const int row = reached.index / guide.columns;
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        const int c = column + dx;
-        const int r = row + dy;
-        if (c < 0 || r < 0 || c >= guide.columns || r >= guide.rows) continue;
-        const int neighbour = r * guide.columns + c;
-        const auto next = static_cast<std::size_t>(neighbour);
-        const double cost = reached.cost + guide.cell_m * std::hypot(dx, dy);
-        if (free[next] == 0 || cost >= guide.distance_m[next]) continue;
-        guide.distance_m[next] = cost;
-        open.push({cost, neighbour});
-      }
-    }
-  }
+  const double longer_m = space.cell_m * std::max(space.columns, space.rows);
+  Guide guide{disc_cells(space, space.hull.half_width_m,
+                         std::max(kMinGuideCell_m, longer_m / kGuideCellsAlong)),
+              {}};
+  guide.cells.free[static_cast<std::size_t>(guide.cells.at(from.p_W))] = 1;
+  std::vector<WayBegin> begins{{guide.cells.at(to.p_W), 0.0}};
+  for (const Gate& gate : gates) begins.push_back({guide.cells.at(gate.pose.p_W), gate.length_m});
+  guide.length_m = disc_way_lengths(guide.cells, begins);
   return guide;
 }
 
@@ -133,7 +90,8 @@ struct Search {
 };
 
 std::uint64_t key_of(const Search& search, const Node& node) {
-  const Vector2d cell = (node.pose.p_W - search.guide.origin_W) / search.step_m * kCellsPerStep;
+  const Vector2d cell =
+      (node.pose.p_W - search.guide.cells.origin_W) / search.step_m * kCellsPerStep;
   const double turn = wrap_angle(node.pose.heading_rad) / (2.0 * std::numbers::pi);
   const int heading = static_cast<int>(std::lround((turn + 1.0) * kHeadings)) % kHeadings;
   const auto column = static_cast<std::uint32_t>(static_cast<int>(std::floor(cell.x())) + 0x8000);
@@ -144,8 +102,7 @@ std::uint64_t key_of(const Search& search, const Node& node) {
 }
 
 double to_go_m(const Search& search, const Pose& pose) {
-  const double around_m =
-      search.guide.distance_m[static_cast<std::size_t>(search.guide.index(pose.p_W))];
+  const double around_m = search.guide.to_go_m(pose.p_W);
   if (around_m > kNearGoal * search.options.radius_m) return around_m;
   const double radius_m = search.options.radius_m;
   return std::max(around_m, search.space.hull.gears == Gears::kForwardOnly
@@ -188,7 +145,7 @@ std::optional<Turn> closing_curve(const Search& search, const Pose& pose, double
 
 void reach(Search& search, const Node& node) {
   const double to_go = to_go_m(search, node.pose);
-  if (to_go == std::numeric_limits<double>::max()) return;
+  if (to_go >= kNoDiscWay_m) return;
   const double total_m = node.cost_m + kGreed * to_go;
   const auto [entry, is_new] = search.at_cell.try_emplace(key_of(search, node), 0);
   if (!is_new) {
@@ -229,7 +186,7 @@ void expand(Search& search, int index) {
 void begin_at(Search& search, const Pose& from) {
   search.nodes.push_back({from, {}, -1, 0.0, false});
   const double to_go = to_go_m(search, from);
-  if (to_go < std::numeric_limits<double>::max()) {
+  if (to_go < kNoDiscWay_m) {
     search.at_cell[key_of(search, search.nodes.front())] = 0;
     search.open.push({kGreed * to_go, 0});
   }

@@ -8,7 +8,7 @@
 
 namespace headland {
 
-// The shortest way of a disc over square cells (A*), of one in which the hull can turn round if
+// The shortest way of a disc over square cells, of one in which the hull can turn round if
 // there is such a way, else of smaller ones down to the hull's half width; on it poses a few
 // turning radii apart, joined by the cheapest turns that fit, each as far ahead as one does, or by
 // hybrid A* where none does; then shortened as find_route does. None when there is no such way, or
