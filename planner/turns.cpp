@@ -112,18 +112,23 @@ struct FreeState {
 };
 
 std::unique_ptr<ob::State, FreeState> state_of(const ob::ReedsSheppStateSpace& space,
-                                               const Pose& pose) {
+                                               const Pose& pose, double radius_m) {
   std::unique_ptr<ob::State, FreeState> state(space.allocState(), FreeState{&space});
   auto* se2 = state->as<ob::SE2StateSpace::StateType>();
-  se2->setXY(pose.p_W.x(), pose.p_W.y());
+  se2->setXY(pose.p_W.x() / radius_m, pose.p_W.y() / radius_m);
   se2->setYaw(pose.heading_rad);
   return state;
 }
 
+// Lengths in radii.
 ob::ReedsSheppStateSpace::ReedsSheppPath reeds_shepp_path(const Pose& from, const Pose& to,
                                                           double radius_m) {
-  const ob::ReedsSheppStateSpace space(radius_m);
-  return space.reedsShepp(state_of(space, from).get(), state_of(space, to).get());
+  // Making one takes as long as finding the path; it knows nothing but its radius.
+  static const ob::ReedsSheppStateSpace kSpace(1.0);
+  const Pose from_here{from.p_W - to.p_W, from.heading_rad};
+  const Pose to_here{Eigen::Vector2d::Zero(), to.heading_rad};
+  return kSpace.reedsShepp(state_of(kSpace, from_here, radius_m).get(),
+                           state_of(kSpace, to_here, radius_m).get());
 }
 
 void sort_by_cost(std::vector<Turn>& found) {
