@@ -152,6 +152,7 @@ std::optional<std::vector<Arc>> arcs_between(Joining& joining, std::size_t befor
   const int allowed = nodes;
   auto arcs = connect(joining.space, from, to, connection_options(joining, clearance_m), nodes);
   joining.node_budget -= allowed - nodes;
+  if (optional && arcs && longest_backing_m(*arcs) > kLongestBacking_m) arcs.reset();
   return arcs;
 }
 

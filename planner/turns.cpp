@@ -196,6 +196,16 @@ double cost_m(const std::vector<Arc>& arcs) {
          kCuspCost_m * cusp_count(arcs);
 }
 
+double longest_backing_m(const std::vector<Arc>& arcs) {
+  double longest_m = 0.0;
+  double run_m = 0.0;
+  for (const Arc& arc : arcs) {
+    run_m = arc.gear == B ? run_m + arc.length_m : 0.0;
+    longest_m = std::max(longest_m, run_m);
+  }
+  return longest_m;
+}
+
 bool has_odd_run(const std::vector<Arc>& arcs, bool alone) {
   double run_m = 0.0;
   bool first = true;

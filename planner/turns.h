@@ -13,6 +13,9 @@ namespace headland {
 inline constexpr double kReverseMetreCost = 2.0;
 inline constexpr double kCuspCost_m = 5.0;
 
+// The longest way [m] in reverse gear without a change of gear.
+double longest_backing_m(const std::vector<Arc>& arcs);
+
 // No turn goes less than this [m] in one gear between changes,
 inline constexpr double kLeastRun_m = 0.1;
 // or further in reverse.

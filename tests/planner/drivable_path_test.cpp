@@ -213,6 +213,33 @@ TEST(MakePath, AVehicleThatReachesLittleOfItsPassesIsRefused) {
   }
 }
 
+// Out of a lane that is no wider than its hull is long a vehicle only comes in reverse. Where it
+// must it does, for what is optional it does not.
+TEST(MakePath, NoOptionalPassIsWorthBackingFar) {
+  const Vehicle vehicle = made_up_vehicle(2.6, 1.6);
+  Field field;
+  field.boundary = {{0, 0}, {50, 0}, {50, 19}, {110, 19}, {110, 21}, {50, 21}, {50, 40}, {0, 40}};
+  const auto path_with = [&](bool optional) {
+    Plan plan;
+    plan.passes.push_back({PassKind::kSwath, {{20.0, 20.0}, {100.0, 20.0}}});
+    plan.passes.push_back({PassKind::kSwath, {{20.0, 5.0}, {40.0, 5.0}}, optional});
+    return make_path(field, vehicle, plan, {});
+  };
+  const auto backed_m = [](const Path& path) {
+    double sum_m = 0.0;
+    for (const PathSegment& segment : path.segments) {
+      if (segment.gear == Gear::kReverse) sum_m += length_m(segment);
+    }
+    return sum_m;
+  };
+  const Path must = path_with(false);
+  EXPECT_GT(backed_m(must), 40.0);
+  EXPECT_TRUE(must.left_out.empty());
+  const Path may = path_with(true);
+  EXPECT_EQ(backed_m(may), 0.0);
+  EXPECT_EQ(may.left_out.size(), 1U);
+}
+
 TEST(MakePath, BeginsAtTheFreePoseNearestToTheEntry) {
   const Vehicle vehicle = made_up_vehicle(2.6, 2.0);
   Field field = rectangle(40.0, 60.0);
