@@ -20,6 +20,10 @@ constexpr double kSameDirection_rad = pi / 180.0;
 constexpr std::size_t kMostEdgeDirections = 6;  // of edges near a patch, those next to most of it
 constexpr int kSamples = 48;                    // cells of a patch that its edges are looked for at
 constexpr double kShortestFill_m = 0.5;         // pass
+// Patches of this that no line beside anything works are looked at in this many directions of the
+// half circle.
+constexpr double kLargePatch_m2 = 4.0;
+constexpr int kEveryDirection = 18;
 // Lines further in, where what is beside the patch is in the way [part of the working width].
 constexpr std::array kShifts = {0.0, 0.1, 0.25, 0.5};
 
@@ -170,6 +174,12 @@ std::vector<double> headings_for(const Filling& filling, const Patch& patch,
   return headings_rad;
 }
 
+std::vector<double> every_heading() {
+  std::vector<double> headings_rad;
+  for (int i = 0; i < 2 * kEveryDirection; ++i) headings_rad.push_back(pi * i / kEveryDirection);
+  return headings_rad;
+}
+
 // A line of the implement's middle in direction `heading_rad`, `across_m` to the left of the
 // origin of W, from one place along it to another.
 struct Line {
@@ -267,16 +277,19 @@ Line best_line(const Filling& filling, const Patch& patch) {
     best_score = score;
     best = line;
   };
-  for (const double heading_rad : headings_for(filling, patch, around)) {
-    stop_if(options.cancelled);
-    const Turned in_frame = turned(filling, patch, heading_rad);
-    try_line(in_frame, heading_rad, 0.5 * (in_frame.low_m + in_frame.high_m));
-    for (const double shift : kShifts) {
-      const double in_m = beside_m(filling) + shift * options.working_width_m;
-      try_line(in_frame, heading_rad, in_frame.low_m + in_m);
-      try_line(in_frame, heading_rad, in_frame.high_m - in_m);
+  const auto try_headings = [&](const std::vector<double>& headings_rad) {
+    for (const double heading_rad : headings_rad) {
+      stop_if(options.cancelled);
+      const Turned in_frame = turned(filling, patch, heading_rad);
+      try_line(in_frame, heading_rad, 0.5 * (in_frame.low_m + in_frame.high_m));
+      for (const double shift : kShifts) {
+        const double in_m = beside_m(filling) + shift * options.working_width_m;
+        try_line(in_frame, heading_rad, in_frame.low_m + in_m);
+        try_line(in_frame, heading_rad, in_frame.high_m - in_m);
+      }
     }
-  }
+  };
+  try_headings(headings_for(filling, patch, around));
   for (const Pose& beside : around.lines) {
     stop_if(options.cancelled);
     for (const double heading_rad : {beside.heading_rad, beside.heading_rad + pi}) {
@@ -284,6 +297,9 @@ Line best_line(const Filling& filling, const Patch& patch) {
                left_of(heading_rad).dot(beside.p_W));
     }
   }
+  const double cell_m2 = filling.ground.cell_m * filling.ground.cell_m;
+  const bool large = static_cast<double>(patch.cells.size()) * cell_m2 >= kLargePatch_m2;
+  if (large && best.gain_m2 < options.least_patch_m2) try_headings(every_heading());
   return best;
 }
 
