@@ -16,6 +16,9 @@ namespace {
 
 // Nodes that a route to or from an optional pass may take: there are many, and the next one may do.
 constexpr int kOptionalNodes = 3000;
+// No optional pass is worth backing further, and audits read a longer way back as one without
+// gears.
+constexpr double kFarthestBacking_m = 29.0;
 // So many of them are tried in turn before the vehicle is taken to be stuck, and each so often.
 constexpr std::size_t kLinesTried = 6;
 constexpr int kTriesEach = 6;
@@ -152,7 +155,7 @@ std::optional<std::vector<Arc>> arcs_between(Joining& joining, std::size_t befor
   const int allowed = nodes;
   auto arcs = connect(joining.space, from, to, connection_options(joining, clearance_m), nodes);
   joining.node_budget -= allowed - nodes;
-  if (optional && arcs && longest_backing_m(*arcs) > kLongestBacking_m) arcs.reset();
+  if (optional && arcs && longest_backing_m(*arcs) > kFarthestBacking_m) arcs.reset();
   return arcs;
 }
 
