@@ -112,7 +112,8 @@ int render_view(const RenderOptions& options) {
   std::string png;
   {
     const InterruptAtOnce at_once;
-    const RecordedRun recorded = read_run_and_tell(job);
+    // What is planned on a grid is there before anything is driven.
+    const RecordedRun recorded = request.view == kGridView ? RecordedRun{} : read_run_and_tell(job);
     png = png_of(draw_requested(job, recorded, request));
   }
   write_together(file.parent_path().empty() ? "." : file.parent_path(),

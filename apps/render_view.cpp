@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::string_view kEventPrefix = "event:";
 constexpr std::array<std::string_view, 5> kViews = {"map", "perspective", "chase", "elevation",
-                                                    "grid"};
+                                                    kGridView};
 
 double last_moment_s(const RunRecord& run) {
   return run.samples.empty() ? 0.0 : run.samples.back().time_s;
@@ -117,7 +117,7 @@ Image draw_requested(const Job& job, const RecordedRun& recorded, const ViewRequ
     throw InputError("--view", "", request.view,
                      fmt::format("one of {}", fmt::join(view_names(), ", ")));
   }
-  if (request.view == "grid") return draw_grid(job, request);
+  if (request.view == kGridView) return draw_grid(job, request);
   std::optional<double> moment_s = request.at_s;
   MomentOptions moment;
   moment.overlay = request.overlay;

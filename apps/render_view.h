@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/stages.h"
@@ -23,6 +24,9 @@ struct ViewRequest {
 // grid), and for a moment outside the run or an event that did not happen. What the record lacks is
 // not drawn.
 Image draw_requested(const Job& job, const RecordedRun& recorded, const ViewRequest& request);
+
+// Of planners on grid maps, drawn of the plan alone: the record is not looked at.
+inline constexpr std::string_view kGridView = "grid";
 
 // The names of the views, for messages and help.
 std::vector<std::string> view_names();

@@ -69,22 +69,31 @@ ssize_t read_some(int from, std::span<std::uint8_t> bytes, const std::function<b
 }  // namespace
 
 FrameWorkers::FrameWorkers(int frames, int processes, const std::function<DrawFrame()>& begin) {
-  for (int k = 0; k < processes; ++k) {
-    std::array<int, 2> pipe{};
-    if (::pipe2(pipe.data(), O_CLOEXEC) != 0) throw InputError("video", "", "", "no more pipes");
-    const pid_t process = ::fork();
-    if (process == 0) {
-      ::close(pipe[0]);
-      for (const Worker& other : workers_) ::close(other.frames);
-      draw_frames(pipe[1], k, processes, frames, begin);
-    }
-    ::close(pipe[1]);
-    workers_.push_back({process, pipe[0]});
-    if (process < 0) throw InputError("video", "", "", "no more processes can be started");
+  try {
+    for (int k = 0; k < processes; ++k) start(frames, k, processes, begin);
+  } catch (...) {
+    end();
+    throw;
   }
 }
 
-FrameWorkers::~FrameWorkers() {
+FrameWorkers::~FrameWorkers() { end(); }
+
+void FrameWorkers::start(int frames, int first, int step, const std::function<DrawFrame()>& begin) {
+  std::array<int, 2> pipe{};
+  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) throw InputError("video", "", "", "no more pipes");
+  const pid_t process = ::fork();
+  if (process == 0) {
+    ::close(pipe[0]);
+    for (const Worker& other : workers_) ::close(other.frames);
+    draw_frames(pipe[1], first, step, frames, begin);
+  }
+  ::close(pipe[1]);
+  workers_.push_back({process, pipe[0]});
+  if (process < 0) throw InputError("video", "", "", "no more processes can be started");
+}
+
+void FrameWorkers::end() {
   for (const Worker& worker : workers_) {
     ::close(worker.frames);
     if (worker.process < 0) continue;
@@ -92,6 +101,7 @@ FrameWorkers::~FrameWorkers() {
     while (::waitpid(worker.process, nullptr, 0) < 0 && errno == EINTR) {
     }
   }
+  workers_.clear();
 }
 
 bool FrameWorkers::read(int frame, std::vector<std::uint8_t>& rgba, std::size_t size,

@@ -16,7 +16,8 @@ using DrawFrame = std::function<Image(int frame)>;
 // Frame k is drawn by process k modulo `processes`, each of which draws its frames in order.
 class FrameWorkers {
  public:
-  // Starts the processes; `begin` is called once in each. No other thread may be running.
+  // Starts the processes; `begin` is called once in each. No other thread may be running. Throws
+  // InputError, with no process left, when there are no more of them or of pipes.
   FrameWorkers(int frames, int processes, const std::function<DrawFrame()>& begin);
   // Ends them, whatever they are at.
   ~FrameWorkers();
@@ -33,6 +34,8 @@ class FrameWorkers {
     pid_t process = -1;
     int frames = -1;  // the pipe from it
   };
+  void start(int frames, int first, int step, const std::function<DrawFrame()>& begin);
+  void end();
   std::vector<Worker> workers_;
 };
 

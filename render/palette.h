@@ -58,9 +58,9 @@ inline constexpr Rgba kRock{140, 134, 128};
 // Soil and grass of the perspective view.
 inline constexpr Rgba kMeadow{158, 176, 118};
 inline constexpr Rgba kUnworked{204, 186, 134};
-inline constexpr Rgba kWorked{140, 108, 78};
-inline constexpr Rgba kWorkedTwice{116, 86, 62};
-inline constexpr Rgba kWorkedThrice{92, 66, 48};
+inline constexpr Rgba kWorked{152, 116, 82};
+inline constexpr Rgba kWorkedTwice{108, 76, 54};
+inline constexpr Rgba kWorkedThrice{62, 45, 38};
 inline constexpr Rgba kBlockSide{196, 180, 156};
 }  // namespace colours
 

@@ -30,6 +30,12 @@ TEST_F(GridStagesTest, GridPlannersAreDrivenLikeAnyOther) {
   EXPECT_EQ(text_of(folder_ / "A" / "path.geojson"), text_of(folder_ / "B" / "path.geojson"));
   EXPECT_LE(headland("drive B -o C -q").exit_code, 1);
   EXPECT_EQ(text_of(folder_ / "A" / "run.csv"), text_of(folder_ / "C" / "run.csv"));
+  // The grid figure is of the plan: nothing need be driven for it.
+  ASSERT_EQ(headland("render A --view grid -o driven.png -q").exit_code, 0);
+  const CommandResult drawn = headland("render B --view grid -o planned.png -q");
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_TRUE(text_of(folder_ / "planned.png") == text_of(folder_ / "driven.png"));
+  EXPECT_EQ(headland("render B --view map -o map.png -q").exit_code, 2);
   // Another plan in the same folder leaves nothing of the grid's.
   EXPECT_EQ(headland("plan tiny.yaml -o B -q").exit_code, 0);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "B" / "grid_plan.json"));
