@@ -18,7 +18,7 @@
 namespace headland {
 namespace {
 
-constexpr PictureSize kCloseUp{960, 600};
+constexpr PictureSize kCloseUp{800, 500};
 
 // The event that a judged figure is about.
 struct JudgedEvent {

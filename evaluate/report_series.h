@@ -12,8 +12,8 @@
 
 namespace headland {
 
-// So many buckets keep the page of a 10 h run below 15 MB with a pose every two seconds.
-inline constexpr std::size_t kMostReportBuckets = 18000;
+// So many buckets keep the page of a 10 h run below 15 MB with a pose every three seconds.
+inline constexpr std::size_t kMostReportBuckets = 12000;
 
 // Index of the first sample of every bucket: at most `most` + 1 buckets of equal length, and the
 // last sample in one of its own. Empty for no samples.
