@@ -13,7 +13,7 @@
 namespace headland {
 
 // So many buckets keep the page of a 10 h run below 15 MB with a pose every three seconds.
-inline constexpr std::size_t kMostReportBuckets = 12000;
+inline constexpr std::size_t kMostReportBuckets = 11000;
 
 // Index of the first sample of every bucket: at most `most` + 1 buckets of equal length, and the
 // last sample in one of its own. Empty for no samples.
