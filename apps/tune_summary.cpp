@@ -56,6 +56,9 @@ std::string prediction_table(const TuneResult& result) {
         prediction_row(report, "printed", report.training_printed, report.held_out_printed));
     rows.push_back(
         prediction_row(report, "fitted", report.training_fitted, report.held_out_fitted));
+    if (!report.adapted) continue;
+    rows.push_back(
+        prediction_row(report, "adapted", report.training_adapted, report.held_out_adapted));
   }
   return aligned(rows);
 }

@@ -208,6 +208,9 @@ Comparison read_comparison(const fs::path& file, std::optional<std::uint64_t> se
     read_maps(top, comparison);
   }
   const fs::path costs = read_cost_file(top, fs::absolute(file).parent_path());
+  if (!costs.empty() && !fs::exists(costs)) {
+    throw InputError(top.source, place_of(top, "cost"), costs.string(), "no such file");
+  }
   if (!costs.empty()) take_measured_costs(costs, comparison);
   read_tests(top, comparison);
   return comparison;

@@ -53,9 +53,10 @@ std::vector<Eigen::Index> fitted_columns(GridObjective form, const Eigen::Matrix
 }
 
 void refuse_unfittable(GridObjective form, const Eigen::MatrixXd& terms,
-                       const std::vector<std::string>& names, const std::string& source) {
+                       const std::vector<std::string>& names, const std::string& source,
+                       const std::string& place) {
   if (terms.rows() < terms.cols()) {
-    throw InputError(source, "training", fmt::format("{} driven plans", terms.rows()),
+    throw InputError(source, place, fmt::format("{} plans", terms.rows()),
                      fmt::format("at least {} are needed to fit {}: {}", terms.cols(),
                                  grid_objective_name(form), fmt::join(names, ", ")));
   }
@@ -67,11 +68,11 @@ void refuse_unfittable(GridObjective form, const Eigen::MatrixXd& terms,
   const bool never =
       terms.col(std::find(names.begin(), names.end(), alike.front()) - names.begin()).norm() == 0.0;
   throw InputError(
-      source, "training", fmt::format("{}", fmt::join(alike, ", ")),
+      source, place, fmt::format("{}", fmt::join(alike, ", ")),
       fmt::format(
           "{0}, so that {1} cannot be fitted; other fields, terrains or plans help, or leave "
           "{1} out of forms",
-          never ? "in no driven plan" : "not told apart by the driven plans",
+          never ? "in no training plan" : "not told apart by the training plans",
           grid_objective_name(form)));
 }
 
@@ -99,8 +100,19 @@ std::vector<PlanRun> fit_plans(const std::vector<PlanRun>& plans) {
   return fit;
 }
 
+void check_fittable(GridObjective form, const std::vector<PlanRun>& plans,
+                    const std::string& source, const std::string& place) {
+  const Rows rows = rows_of(form, plans);
+  const std::vector<std::string> all = energy_terms(form);
+  std::vector<std::string> names;
+  const std::vector<Eigen::Index> columns = fitted_columns(form, rows.terms);
+  for (const Eigen::Index i : columns) names.push_back(all[static_cast<std::size_t>(i)]);
+  refuse_unfittable(form, rows.terms(Eigen::all, columns), names, source, place);
+}
+
 EnergyFit fit_energy(GridObjective form, const std::vector<PlanRun>& plans, int bootstrap_draws,
-                     std::uint64_t seed, const std::string& source) {
+                     std::uint64_t seed, const std::string& source, const std::string& place) {
+  check_fittable(form, plans, source, place);
   const Rows rows = rows_of(form, plans);
   const std::vector<Eigen::Index> columns = fitted_columns(form, rows.terms);
   const Eigen::MatrixXd terms = rows.terms(Eigen::all, columns);
@@ -108,11 +120,6 @@ EnergyFit fit_energy(GridObjective form, const std::vector<PlanRun>& plans, int 
   fit.form = form;
   fit.plans = static_cast<int>(plans.size());
   for (const std::string& name : energy_terms(form)) fit.terms.push_back({name, 1.0, {1.0, 1.0}});
-  std::vector<std::string> names;
-  for (const Eigen::Index i : columns) {
-    names.push_back(fit.terms[static_cast<std::size_t>(i)].name);
-  }
-  refuse_unfittable(form, terms, names, source);
   const Eigen::VectorXd coefficients = nonnegative_fit(terms, rows.wh);
   const std::vector<Interval> intervals =
       bootstrap_intervals(terms, rows.wh, rows.block, bootstrap_draws, seed);

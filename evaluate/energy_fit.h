@@ -30,12 +30,17 @@ struct EnergyFit {
 // Plans that can be fitted: driven to their end, without jumps, with a predicted energy.
 std::vector<PlanRun> fit_plans(const std::vector<PlanRun>& plans);
 
+// Throws InputError(source, place) when there are fewer plans than the form has terms to fit and,
+// naming them, for terms that the plans do not tell apart. Energies may be unknown.
+void check_fittable(GridObjective form, const std::vector<PlanRun>& plans,
+                    const std::string& source, const std::string& place);
+
 // Least squares of energy a free cell, so that large fields count as small ones, with coefficients
 // of 0 or more. Of `measured`, kinds of movement that no plan has are left out and keep 1. Throws
-// InputError(source, "training") when there are fewer plans than terms and, naming them, for terms
-// that cannot be told apart.
+// as check_fittable.
 EnergyFit fit_energy(GridObjective form, const std::vector<PlanRun>& plans, int bootstrap_draws,
-                     std::uint64_t seed, const std::string& source);
+                     std::uint64_t seed, const std::string& source,
+                     const std::string& place = "training");
 
 // W h of a plan, by the fitted coefficients and by the printed weights.
 double fitted_energy_wh(const EnergyFit& fit, const PlanRun& plan);

@@ -47,27 +47,41 @@ GridPlan planned_on_grid(const Scenario& scenario, const Stage& stage,
   }
 }
 
-std::optional<DriveCost> read_if_given(const std::filesystem::path& file, const Scenario& scenario,
-                                       const Stage& stage, std::vector<std::string>& notes) {
+// Results outlive the files that their scenarios name, so that only who plans looks for them.
+std::optional<DriveCost> read_if_given(const std::filesystem::path& file, const std::string& place,
+                                       const Scenario& scenario, const Stage& stage,
+                                       std::vector<std::string>& notes) {
   if (file.empty()) return std::nullopt;
+  if (!place.empty() && !std::filesystem::exists(file)) {
+    throw InputError(scenario.file.string(), place, file.string(), "no such file");
+  }
   return read_drive_cost(file, stage.vehicle, soil_text(scenario.soil), notes);
 }
 
 void predict_by(const Scenario& scenario, std::optional<DriveCost> cost, const Stage& stage,
                 PlanResult& result) {
   if (!scenario.planner.predict_file.empty()) {
-    cost = read_if_given(scenario.planner.predict_file, scenario, stage, result.notes);
+    cost = read_if_given(scenario.planner.predict_file, scenario.planner.predict_place, scenario,
+                         stage, result.notes);
   }
   if (cost) result.predicted = predicted_energy(result.path, &stage.terrain, *cost);
 }
 
 }  // namespace
 
+GridPlan plan_on_grid(const Scenario& scenario, const Stage& stage, const CancelAsked& cancelled) {
+  std::vector<std::string> notes;
+  return planned_on_grid(scenario, stage,
+                         read_if_given(scenario.planner.cost_file, scenario.planner.cost_place,
+                                       scenario, stage, notes),
+                         cancelled);
+}
+
 PlanResult plan_scenario(const Scenario& scenario, const Stage& stage,
                          const CancelAsked& cancelled) {
   PlanResult made;
-  const std::optional<DriveCost> cost =
-      read_if_given(scenario.planner.cost_file, scenario, stage, made.notes);
+  const std::optional<DriveCost> cost = read_if_given(
+      scenario.planner.cost_file, scenario.planner.cost_place, scenario, stage, made.notes);
   if (stage.grid) {
     made.grid_plan = planned_on_grid(scenario, stage, cost, cancelled);
     made.grid_drive = make_grid_path(stage.field, stage.vehicle, *stage.grid, *made.grid_plan,
@@ -84,7 +98,9 @@ PlanResult plan_scenario(const Scenario& scenario, const Stage& stage,
 }
 
 void predict(const Scenario& scenario, const Stage& stage, PlanResult& result) {
-  predict_by(scenario, read_if_given(scenario.planner.cost_file, scenario, stage, result.notes),
+  predict_by(scenario,
+             read_if_given(scenario.planner.cost_file, scenario.planner.cost_place, scenario, stage,
+                           result.notes),
              stage, result);
 }
 

@@ -27,6 +27,10 @@ struct PlanResult {
 PlanResult plan_scenario(const Scenario& scenario, const Stage& stage,
                          const CancelAsked& cancelled = {});
 
+// Of a scenario with a planner on grid maps the plan alone, without its path. Throws likewise.
+GridPlan plan_on_grid(const Scenario& scenario, const Stage& stage,
+                      const CancelAsked& cancelled = {});
+
 // What the path will take by the costs that the scenario names, if it does, and notes on them.
 // Throws InputError as read_drive_cost.
 void predict(const Scenario& scenario, const Stage& stage, PlanResult& result);

@@ -29,6 +29,8 @@ struct PlannerChoice {
   std::filesystem::path cost_file;  // measured costs to plan by; empty: none
   // Measured costs that only tell the path's energy; empty: those planned by, if any.
   std::filesystem::path predict_file;
+  std::string cost_place;  // lines and keys of these, for messages; empty: given otherwise
+  std::string predict_place;
 };
 
 struct Scenario {

@@ -166,8 +166,10 @@ PlannerChoice read_planner(const YamlSection& top) {
   if (check != nullptr) check(choice.parameters, top.source, place_of_itself(section));
   const fs::path folder = fs::absolute(top.source).parent_path();
   choice.cost_file = read_cost_file(section, folder);
+  if (!choice.cost_file.empty()) choice.cost_place = place_of(section, "cost");
   if (const auto predict = read_word(section, "predict", "a file")) {
     choice.predict_file = (folder / *predict).lexically_normal();
+    choice.predict_place = place_of(section, "predict");
   }
   choice.ab_line = read_ab_line(section);
   if (choice.grid) {

@@ -87,6 +87,7 @@ Stage load_stage(const Scenario& scenario) {
 
 void plan_by_costs(const std::filesystem::path& file, PlannerChoice& planner) {
   planner.cost_file = file;
+  planner.cost_place.clear();
   if (planner.grid && planner.grid->cost.objective == GridObjective::kLength) {
     planner.grid->cost.objective = GridObjective::kMeasured;
   }

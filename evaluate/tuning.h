@@ -21,6 +21,7 @@ struct Tuning {
   std::filesystem::path file;  // it was read from
   std::string name;
   Sweep training;  // each with one planner, which stands for any
+  std::string training_place = "training";  // line and key, for messages
   Sweep held_out;
   std::filesystem::path costs;  // measured ones; empty: to be measured
   PlannerChoice planner;        // on grid maps, whose weights are tuned; its cost is the methods'

@@ -40,6 +40,10 @@ Json form_json(const FormReport& report) {
                       {"fitted", prediction_json(report.training_fitted)}};
   json["held_out"] = {{"printed", prediction_json(report.held_out_printed)},
                       {"fitted", prediction_json(report.held_out_fitted)}};
+  if (report.adapted) {
+    json["training"]["adapted"] = prediction_json(report.training_adapted);
+    json["held_out"]["adapted"] = prediction_json(report.held_out_adapted);
+  }
   if (!report.search) return json;
   json["search"] = {{"weights", report.search->weights},
                     {"loss", report.search->loss},

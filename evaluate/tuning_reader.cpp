@@ -69,7 +69,7 @@ Sweep read_set(const YamlSection& top, const char* name) {
   return read_sweep(YamlSection{top.source, name, sweep});
 }
 
-void refuse_shared_fields(const Tuning& tuning) {
+void refuse_shared_fields(const YamlSection& top, const Tuning& tuning) {
   ContentDigests digests;
   const auto key = [&](const Sweep& set, std::size_t field) {
     Scenario scenario = tuning.training.scenarios.front();
@@ -79,7 +79,8 @@ void refuse_shared_fields(const Tuning& tuning) {
   for (std::size_t i = 0; i < tuning.training.fields.size(); ++i) {
     for (std::size_t j = 0; j < tuning.held_out.fields.size(); ++j) {
       if (key(tuning.training, i) != key(tuning.held_out, j)) continue;
-      throw InputError(tuning.file.string(), "held_out.fields", tuning.held_out.fields[j],
+      const YamlSection held_out = read_section(top, "held_out").value();
+      throw InputError(top.source, place_of(held_out, "fields"), tuning.held_out.fields[j],
                        fmt::format("fields that are not in training are needed; this is its {}",
                                    tuning.training.fields[i]));
     }
@@ -131,7 +132,14 @@ void read_training_plans(const YamlSection& top, Tuning& tuning) {
   if (given.IsSequence()) {
     for (const YAML::Node& item : given) {
       const std::string name = item.IsScalar() ? item.Scalar() : "";
-      find_grid_planner(name, top.source);
+      const auto known = [&](const GridPlannerEntry& entry) { return entry.name == name; };
+      if (std::ranges::none_of(grid_planners(), known)) {
+        std::vector<std::string> names;
+        for (const GridPlannerEntry& entry : grid_planners()) names.emplace_back(entry.name);
+        throw InputError(top.source, place_of(*section, "planners"), name,
+                         fmt::format("unknown planner; did you mean '{}'? (known: {})",
+                                     nearest_name(name, names), fmt::join(names, ", ")));
+      }
       tuning.plan_planners.push_back(name);
     }
   }
@@ -157,7 +165,8 @@ void read_planner_to_tune(const YamlSection& top, Tuning& tuning) {
     if (!planner.IsDefined()) return;
     for (const char* key : {"cost", "predict"}) {
       if (!planner[key].IsDefined()) continue;
-      throw InputError(top.source, fmt::format("planner.{}", key), "",
+      const YamlSection section = read_section(top, "planner").value();
+      throw InputError(top.source, place_of(section, key), "",
                        "not here: costs are tuned and measured, or those of the key costs");
     }
     return;
@@ -191,7 +200,8 @@ Tuning read_tuning(const fs::path& file) {
   tuning.shuffles = read_count(top, "shuffles", 0, kMostShuffles).value_or(tuning.shuffles);
   tuning.training = read_set(top, "training");
   tuning.held_out = read_set(top, "held_out");
-  refuse_shared_fields(tuning);
+  refuse_shared_fields(top, tuning);
+  tuning.training_place = place_of(top, "training");
   return tuning;
 }
 

@@ -63,9 +63,14 @@ void fit_forms(TuningUnderWay& running) {
   const std::vector<PlanRun>& plans = running.result.training_plans;
   for (const GridObjective form : tuning.forms) {
     FormReport report;
-    report.fit = fit_energy(form, plans, tuning.bootstrap_draws, tuning.seed, tuning.file.string());
+    report.fit = fit_energy(form, plans, tuning.bootstrap_draws, tuning.seed, tuning.file.string(),
+                            tuning.training_place);
     report.training_printed = prediction_of(plans, energies(report.fit, plans, printed_energy_wh));
     report.training_fitted = prediction_of(plans, energies(report.fit, plans, fitted_energy_wh));
+    if (form == GridObjective::kWeighted) {
+      report.adapted = fit_adapted(plans);
+      report.training_adapted = prediction_of(plans, adapted_energies_wh(*report.adapted, plans));
+    }
     running.result.forms.push_back(report);
   }
 }
@@ -234,6 +239,8 @@ void prove(TuningUnderWay& running) {
         prediction_of(fitting, energies(report.fit, fitting, printed_energy_wh));
     report.held_out_fitted =
         prediction_of(fitting, energies(report.fit, fitting, fitted_energy_wh));
+    if (!report.adapted) continue;
+    report.held_out_adapted = prediction_of(fitting, adapted_energies_wh(*report.adapted, fitting));
   }
 }
 
@@ -241,13 +248,14 @@ void prove(TuningUnderWay& running) {
 
 TuneResult run_tuning(const Tuning& tuning, RunStore& store, const TuneOptions& options) {
   TuningUnderWay running{tuning, store, options, {}};
+  check_design(tuning, options);
   running.result.training_plans = fit_plans(
       drive(running, "training drives",
             sweep_by(tuning.training, tuning.name + ": training", training_methods(tuning)),
             running.result.training));
   const RunTally& counts = running.result.training;
   if (running.result.training_plans.empty() && !counts.why.empty()) {
-    throw InputError(tuning.file.string(), "training", "no plan could be driven",
+    throw InputError(tuning.file.string(), tuning.training_place, "no plan could be driven",
                      counts.why.front());
   }
   fit_forms(running);

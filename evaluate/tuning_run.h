@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "evaluate/adapted_weights.h"
 #include "evaluate/energy_fit.h"
 #include "evaluate/method_savings.h"
 #include "evaluate/tuning.h"
@@ -32,6 +33,10 @@ struct FormReport {
   Prediction training_fitted;
   Prediction held_out_printed;
   Prediction held_out_fitted;
+  // Of `weighted`, by printed weights adapted to each plan (adapted_weights.h).
+  std::optional<AdaptedFit> adapted;
+  Prediction training_adapted;
+  Prediction held_out_adapted;
   std::optional<WeightSearch> search;
 };
 
@@ -63,8 +68,13 @@ struct TuneOptions {
   CancelAsked cancelled;
 };
 
+// Whether the forms can be fitted to the training plans, found out by planning alone, which takes
+// little beside driving. Throws InputError for measured costs that cannot be read and as
+// check_fittable; Cancelled.
+void check_design(const Tuning& tuning, const TuneOptions& options);
+
 // `store` holds every run when it returns or throws: Cancelled after an early end, InputError as
-// run_sweep and fit_energy, std::runtime_error for runs that failed by a fault of the program.
+// run_sweep and check_design, std::runtime_error for runs that failed by a fault of the program.
 TuneResult run_tuning(const Tuning& tuning, RunStore& store, const TuneOptions& options);
 
 // What a run without figures counts in the search, where plans around the field's mean count 1.

@@ -21,7 +21,8 @@ std::span<const RegionPlannerEntry> region_planners() {
       "IGA-CPP, 'improved genetic algorithm based on bi-level "
       "co-evolution for coverage path planning'";
   static const std::array kPlanners{
-      RegionPlannerEntry{"region_iga", kIga, plan_region_iga, region_iga_parameters()},
+      RegionPlannerEntry{"region_iga", kIga, plan_region_iga, region_iga_parameters(),
+                         check_region_iga},
       RegionPlannerEntry{"region_ga", "genetic algorithm, as used for IGA-CPP", plan_region_ga,
                          region_ga_parameters()},
       RegionPlannerEntry{"region_pso", "Shi and Eberhart 1998, as used for IGA-CPP",

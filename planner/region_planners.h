@@ -18,6 +18,9 @@ struct RegionPlannerEntry {
   std::string_view source;  // paper, or 'headland'
   RegionPlanFunction plan;
   std::span<const ParameterSpec> parameters;
+  // Throws InputError(source, "where.name", ...) for resolved parameters that are allowed one by
+  // one and not together. The planner itself throws likewise.
+  void (*check)(const Parameters&, const std::string& source, const std::string& where) = nullptr;
 };
 
 std::span<const RegionPlannerEntry> region_planners();

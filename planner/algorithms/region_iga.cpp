@@ -50,14 +50,20 @@ std::span<const ParameterSpec> region_iga_parameters() {
   return kSpecs;
 }
 
+void check_region_iga(const Parameters& parameters, const std::string& source,
+                      const std::string& where) {
+  const double first = number(parameters, "population");
+  const double least = number(parameters, "least_population");
+  if (least <= first) return;
+  throw InputError(source, key_path(where, "least_population"), fmt::format("{}", least),
+                   fmt::format("at most {}, the population", first));
+}
+
 RegionPlan plan_region_iga(const RegionRequest& request) {
+  check_region_iga(request.parameters, kRegionPlanSource, "");
   RegionTask task(request);
   const double first = region_population(request);
   const double least = number(request.parameters, "least_population");
-  if (least > first) {
-    throw InputError(kRegionPlanSource, "least_population", fmt::format("{}", least),
-                     fmt::format("at most {}, the population", first));
-  }
   const IgaFactors factors{number(request.parameters, "mutation"),
                            number(request.parameters, "crossover")};
   std::vector<RegionIndividual> population = random_individuals(task, static_cast<int>(first));

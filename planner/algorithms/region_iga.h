@@ -3,6 +3,8 @@
 
 #include <span>
 
+#include <string>
+
 #include "planner/region_genes.h"
 
 namespace headland {
@@ -18,8 +20,12 @@ std::span<const ParameterSpec> region_iga_parameters();
 // `rand` is drawn for each gene anew; I_m lies in [1, N] (the text says 4 at the wrong place);
 // Np_min is 4 ('428' is 4 and a footnote); where evaluations or seconds limit the search instead of
 // iterations, Eq (6) goes by the share that is over. A child as long as its parent is not kept.
-// Throws InputError as begun_search, for Np_min above Np0; Cancelled.
+// Throws InputError as begun_search and check_region_iga; Cancelled.
 RegionPlan plan_region_iga(const RegionRequest& request);
+
+// Throws InputError(source, "where.least_population", ...) for Np_min above Np0.
+void check_region_iga(const Parameters& parameters, const std::string& source,
+                      const std::string& where);
 
 // Eqs (1) and (2) for one gene: a new value with probability F. GA mutates so too.
 double mutated_gene(RegionTask& task, int gene, double value, double mutation);

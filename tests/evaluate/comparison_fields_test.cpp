@@ -10,6 +10,7 @@
 #include "evaluate/comparison_file.h"
 #include "evaluate/comparison_reader.h"
 #include "planner/region_generator.h"
+#include "tests/evaluate/made_up_costs.h"
 #include "tests/terrains/refusal.h"
 #include "tests/terrains/scratch_folder.h"
 
@@ -95,6 +96,27 @@ TEST_F(FieldComparison, GapsAreThoseToTheShortestPlan) {
   }
 }
 
+// With a file of measured costs plans are reckoned in W h over the field's own ground; no plan is
+// cheaper than the proven one.
+TEST_F(FieldComparison, IsOfEnergyByMeasuredCosts) {
+  written("costs.yaml", cost_table_yaml(made_up_table()));
+  Comparison comparison =
+      read("repeats: 1\nstop: {iterations: 10}\ncost: costs.yaml\nparts: {width_m: 10}\nfields: [" +
+           kU + ", terrain: {generator: ramp, slope_percent: 5}}]\n" + kRegionPlanners);
+  prove_least_costs(comparison, {1, {}, {}});
+  const ComparedRegion& region = *comparison.maps[0].region;
+  ASSERT_TRUE(region.cost && region.terrain && region.least_own);
+  for (const ComparedRun& run : run_comparison(comparison, {1, {}, {}})) {
+    ASSERT_EQ(run.state, RunState::kPlanned) << run.refusal;
+    EXPECT_GE(search_of(run).cost,
+              (run.planner == 2 ? *region.least_any : *region.least_own) - kLengthSum_m);
+  }
+  const nlohmann::ordered_json json =
+      comparison_json(comparison, run_comparison(comparison, {1, {}, {}}), {}, "0");
+  EXPECT_EQ(json["comparison"]["cost"]["objective"], "measured");
+  EXPECT_EQ(json["comparison"]["fields"][0]["least_energy_wh"]["own"], *region.least_own);
+}
+
 TEST_F(FieldComparison, HasNoGapWhereNothingIsProven) {
   Comparison comparison = read(
       "repeats: 1\nstop: {iterations: 1}\nparts: {width_m: 40}\n"
@@ -132,9 +154,13 @@ TEST_F(FieldComparison, FilesNameFieldsPartsAndVisits) {
 TEST_F(FieldComparison, RefusesWhatItCannotCompare) {
   const std::string good = kFourParts + kRegionPlanners;
   EXPECT_THAT(refused("maps: [{generator: {}}]\n" + good), HasSubstr("maps: not with fields"));
-  EXPECT_THAT(refused(good + "cost: {objective: length}\n"), HasSubstr("cost: with fields only a file of measured costs"));
+  EXPECT_THAT(refused(good + "cost: {objective: length}\n"),
+              HasSubstr("cost: with fields only a file of measured costs"));
   EXPECT_THAT(refused(good + "drive: {vehicle: transplanter}\n"),
               HasSubstr("drive: not with fields"));
+  EXPECT_THAT(
+      refused("planners: [{name: region_iga, population: 5, least_population: 6}]\n" + kFourParts),
+      HasSubstr("line 1: planners.least_population: '6': at most 5, the population"));
   EXPECT_THAT(refused("fields: []\n" + kRegionPlanners), HasSubstr("at least one field"));
   EXPECT_THAT(refused("fields: [{generator: {}}]\n" + kRegionPlanners),
               HasSubstr("parts.width_m, the width of a swath, is needed"));

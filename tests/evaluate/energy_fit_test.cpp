@@ -1,4 +1,5 @@
 #include "evaluate/energy_fit.h"
+#include "evaluate/adapted_weights.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -179,20 +180,42 @@ TEST(EnergyFitTest, ShuffledEnergiesTellNothing) {
   EXPECT_LT(prediction_of(shuffled, told).spearman_in_block, kChance);
 }
 
+// Two plans on one field count 2 and 6 turns, none else: the second is above the mean of 4, its
+// weight of turns grows by a third before all three are scaled to 1 (Wu et al., Eqs 2 to 10).
+TEST(EnergyFitTest, AdaptsWeightsAsThePaperDoes) {
+  std::vector<PlanRun> plans(2);
+  for (PlanRun& plan : plans) {
+    plan.block = "field";
+    plan.counts.distinct_cells = 10;
+  }
+  plans[0].counts.turns = 2;
+  plans[1].counts.turns = 6;
+  const std::vector<double> costs = adapted_costs(plans);
+  EXPECT_NEAR(costs[0], 2.0 * 0.2, 1e-12);
+  const double grown = 0.2 * (1.0 + 2.0 / 6.0);
+  EXPECT_NEAR(costs[1], 6.0 * grown / (0.8 + grown), 1e-12);
+  // Energies that are sums of these are told exactly.
+  for (std::size_t i = 0; i < plans.size(); ++i) plans[i].energy_wh = 3.0 * costs[i] + 10.0 * 0.5;
+  const AdaptedFit fit = fit_adapted(plans);
+  EXPECT_NEAR(fit.scale, 3.0, 1e-9);
+  EXPECT_NEAR(fit.cell_wh, 0.5, 1e-9);
+  EXPECT_NEAR(adapted_energies_wh(fit, plans)[1], plans[1].energy_wh, 1e-9);
+}
+
 TEST(EnergyFitTest, RefusesWhatCannotBeFitted) {
   std::vector<PlanRun> plans = made_up_plans();
   EXPECT_THAT(
       refusal([&] { fit_of(GridObjective::kTractor, plans); }),
       HasSubstr(
-          "spec.yaml: training: 'climb': in no driven plan, so that tractor cannot be fitted; "
+          "spec.yaml: training: 'climb': in no training plan, so that tractor cannot be fitted; "
           "other fields, terrains or plans help, or leave tractor out of forms"));
   for (PlanRun& plan : plans) plan.counts.turns = 2 * plan.counts.repeats;
   EXPECT_THAT(refusal([&] { fit_of(GridObjective::kWeighted, plans); }),
-              HasSubstr("'repeats, turns': not told apart by the driven plans, so that weighted "
+              HasSubstr("'repeats, turns': not told apart by the training plans, so that weighted "
                         "cannot be fitted"));
   plans.resize(3);
   EXPECT_THAT(refusal([&] { fit_of(GridObjective::kWeighted, plans); }),
-              HasSubstr("'3 driven plans': at least 4 are needed to fit weighted"));
+              HasSubstr("'3 plans': at least 4 are needed to fit weighted"));
 }
 
 TEST(EnergyFitTest, LeavesOutWhatHasNoFigures) {

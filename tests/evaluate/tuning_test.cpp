@@ -56,9 +56,10 @@ TEST_F(TuningTest, RefusesSetsThatProveNothing) {
   EXPECT_THAT(said(kHead + kHeldOut), HasSubstr("training: missing: "));
   // The same map under another name and in another file.
   written("copy.txt", "....\n....\n....\n");
-  EXPECT_THAT(said(kHead + kTraining + "held_out: {fields: {other: {grid_map: copy.txt}}}\n"),
-              HasSubstr("held_out.fields: 'other': fields that are not in training are needed; "
-                        "this is its square"));
+  EXPECT_THAT(
+      said(kHead + kTraining + "held_out: {fields: {other: {grid_map: copy.txt}}}\n"),
+      HasSubstr("line 13: held_out.fields: 'other': fields that are not in training are needed; "
+                "this is its square"));
 }
 
 TEST_F(TuningTest, RefusesWhatItCannotTune) {
@@ -69,12 +70,44 @@ TEST_F(TuningTest, RefusesWhatItCannotTune) {
   EXPECT_THAT(said("vehicle: transplanter\nforms: [weigted]\n" + sets),
               HasSubstr("forms: 'weigted': one of weighted, tractor, length, measured"));
   EXPECT_THAT(said("vehicle: transplanter\nplans: {planners: [grid_igga]}\n" + sets),
-              HasSubstr("unknown planner; the nearest is grid_iga"));
+              HasSubstr("line 2: plans.planners: 'grid_igga': unknown planner; did you mean "
+                        "'grid_iga'?"));
   EXPECT_THAT(
       said("vehicle: transplanter\nplanner: {name: grid_iga, cost: {objective: length}}\n" + sets),
-      HasSubstr("planner.cost: not here"));
+      HasSubstr("line 2: planner.cost: not here"));
   EXPECT_THAT(said("vehicle: transplanter\nserch: {evaluations: 3}\n" + sets), HasSubstr("search"));
   EXPECT_THAT(said("vehicle: transplanter\nbootstrap: 1\n" + sets), HasSubstr("bootstrap"));
+}
+
+// On level ground no plan climbs: told by planning alone, before anything is driven, by line.
+TEST_F(TuningTest, RefusesWhatCannotBeFittedBeforeAnyDrive) {
+  const std::string level = "training:\n  fields: {square: {grid_map: square.txt}}\n";
+  const Tuning tuning = read_tuning(written("tune.yaml", kHead + level + kHeldOut));
+  RunStore store;
+  open_run_store(path("runs.db"), DatabaseMode::kWrite, store);
+  EXPECT_THAT(refusal([&] { run_tuning(tuning, store, {}); }),
+              HasSubstr("line 10: training: 'climb': in no training plan, so that tractor cannot "
+                        "be fitted"));
+  const Statement row = prepare(store.database, "SELECT count(*) FROM results");
+  ASSERT_TRUE(step(row));
+  EXPECT_EQ(number_at(row, 0), 0.0);
+  const Tuning few =
+      read_tuning(written("tune.yaml",
+                          "plans: {planners: [grid_boustrophedon]}\nvehicle: transplanter\ncosts: "
+                          "costs.yaml\n" +
+                              kTraining + kHeldOut));
+  EXPECT_THAT(refusal([&] { run_tuning(few, store, {}); }),
+              HasSubstr("training: '1 plans': at least 4 are needed to fit weighted: cells, "
+                        "repeats, turns, U-turns"));
+}
+
+// Of another vehicle, or no costs at all: before anything is driven, too.
+TEST_F(TuningTest, RefusesCostsThatAreNoneBeforeAnyDrive) {
+  written("costs.yaml", "vehicle: transplanter\n");
+  const Tuning tuning = read_tuning(written("tune.yaml", kHead + kTraining + kHeldOut));
+  RunStore store;
+  open_run_store(path("runs.db"), DatabaseMode::kWrite, store);
+  EXPECT_THAT(refusal([&] { run_tuning(tuning, store, {}); }), HasSubstr("costs.yaml: line 1"));
 }
 
 TEST_F(TuningTest, EveryKeyIsDocumented) {

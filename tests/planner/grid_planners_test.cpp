@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "planner/grid_prices.h"
+#include "terrains/grid_map_file.h"
 #include "terrains/grid_map_generator.h"
 #include "tests/planner/grid_examples.h"
 #include "tests/planner/made_up_cost.h"
@@ -240,6 +241,23 @@ TEST(GridPlannerOptions, PlanWholeMaps) {
       }
     }
   }
+}
+
+// Every planner takes measured costs, and by them its plan takes no more than the one by length.
+// Searches draw at random: on few cells they are given what it takes to come near their best.
+// Rows up and down are the same by any costs.
+TEST_P(EveryGridPlanner, TakesNoMoreByMeasuredCostsThanByLength) {
+  if (std::get<1>(GetParam()) != GridObjective::kMeasured || jumps_) return;
+  GridPlanRequest request =
+      grid_request(parse_grid_map(".....\n.....\n..#..\n.....\n", 2.0, "test"), planner_);
+  for (int i = 0; i < 20; ++i) request.map.height_m.push_back(0.2 * std::sin(i));
+  request.stop.iterations = 60;
+  const GridPlan shortest = planner_.plan(request);
+  request.cost.objective = GridObjective::kMeasured;
+  request.cost.measured = made_up_cost();
+  const GridPlan measured = planner_.plan(request);
+  EXPECT_LE(measured.cost,
+            recounted_cost(request, recounted(request.map, shortest.cells), shortest.cells) + 1e-9);
 }
 
 std::string grid_case_name(const testing::TestParamInfo<GridCase>& info) {
