@@ -4,10 +4,12 @@
 // trees on rolling ground, over boustrophedon in one direction for all, rows as they lie; `maps`:
 // grid maps, over the same planner with two papers' printed weights.
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include "bench/figures.h"
 #include "bench/scratch.h"
@@ -127,21 +129,66 @@ Sweep sweep_of(const Asked& asked, const Suite& suite, const Scratch& scratch) {
   return read_sweep(file);
 }
 
-// Of what the references took, the share that every plan takes which covers as much: its ground
-// worked once, in strips of the working width on the level, without a turn and without a way.
-double unavoidable_share(const Sweep& sweep, RunStore& store, const Asked& asked,
-                         const Scratch& scratch, const std::string& reference) {
-  const Vehicle vehicle = load_vehicle(asked.vehicle);
-  std::vector<std::string> notes;
-  const DriveCost cost =
-      read_drive_cost(scratch.folder / (asked.vehicle + ".yaml"), vehicle, "firm", notes);
-  const Statement row = prepare(store.database,
-                                "SELECT avg(covered_m2 / energy_wh) FROM runs WHERE sweep = ? AND "
-                                "planner = ? AND outcome = 'finished'");
+// W h a metre, worked in the direction that is best at each place, up and down in turn: the mean
+// over the field.
+double least_wh_per_m(const Stage& stage, const DriveCost& cost) {
+  constexpr double kStep_m = 2.0;
+  constexpr int kDirections = 18;  // of half a circle
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& p_W : stage.field.boundary) box.extend(p_W);
+  double sum = 0.0;
+  int places = 0;
+  for (double x_m = box.min().x(); x_m < box.max().x(); x_m += kStep_m) {
+    for (double y_m = box.min().y(); y_m < box.max().y(); y_m += kStep_m) {
+      if (!inside_field(stage.field, {x_m, y_m})) continue;
+      const double slope = surface_at(stage.terrain, x_m, y_m).gradient.norm();
+      double least = std::numeric_limits<double>::infinity();
+      for (int i = 0; i < kDirections; ++i) {
+        const double angle_rad = M_PI * i / kDirections;
+        const double along = slope * std::cos(angle_rad);
+        const double across = slope * std::sin(angle_rad);
+        least = std::min(least, 0.5 * (wh_per_m(cost.working, along, across) +
+                                       wh_per_m(cost.working, -along, across)));
+      }
+      sum += least;
+      ++places;
+    }
+  }
+  return sum / places;
+}
+
+// Where a method's energy went, as shares of it, means over its fields.
+struct Shares {
+  double unavoidable = 0.0;  // its ground worked once, in the best direction at each place
+  double working = 0.0;      // swaths and headland passes
+  double turning = 0.0;      // turns and transits
+  double overlap = 0.0;      // working what was worked before
+};
+
+Shares shares_of(const Sweep& sweep, RunStore& store, const DriveCost& cost, double width_m,
+                 const std::string& method) {
+  const Statement row = prepare(
+      store.database,
+      "SELECT place, energy_wh, covered_m2, overlap_m2, swath_wh + headland_pass_wh, turn_wh + "
+      "u_turn_wh + transit_wh FROM runs WHERE sweep = ? AND planner = ? AND outcome = 'finished'");
   bind_value(row, 1, sweep.name);
-  bind_value(row, 2, reference);
-  step(row);
-  return number_at(row, 0) / vehicle.implement.working_width_m * wh_per_m(cost.working, 0.0);
+  bind_value(row, 2, method);
+  Shares sum;
+  int runs = 0;
+  while (step(row)) {
+    const Stage stage = load_stage(scenario_at(sweep, static_cast<std::size_t>(number_at(row, 0))));
+    const double wh = number_at(row, 1);
+    const double wh_per_m2 = least_wh_per_m(stage, cost) / width_m;
+    sum.unavoidable += number_at(row, 2) * wh_per_m2 / wh;
+    sum.overlap += number_at(row, 3) * wh_per_m2 / wh;
+    sum.working += number_at(row, 4) / wh;
+    sum.turning += number_at(row, 5) / wh;
+    ++runs;
+  }
+  for (double* share : {&sum.unavoidable, &sum.working, &sum.turning, &sum.overlap}) {
+    *share /= std::max(1, runs);
+  }
+  return sum;
 }
 
 void print_table(const std::vector<MethodFigures>& all, const Suite& suite) {
@@ -209,12 +256,25 @@ void run(const Asked& asked) {
     fmt::print("  energy told by measured costs, mean absolute error: {:.2f} %\n",
                100.0 * told_error);
   }
-  for (const std::string& reference : suite.references) {
-    const double share = unavoidable_share(sweep, store, asked, scratch, reference);
-    json["unavoidable_share"][reference] = share;
+  const Vehicle vehicle = load_vehicle(asked.vehicle);
+  std::vector<std::string> notes;
+  const DriveCost cost =
+      read_drive_cost(scratch.folder / (asked.vehicle + ".yaml"), vehicle, "firm", notes);
+  if (!asked.json) {
+    fmt::print("  {:<22}{:>16}{:>16}{:>16}{:>22}\n", "of its energy", "working", "turns, ways",
+               "overlap", "least possible");
+  }
+  for (const MethodFigures& one : all) {
+    const Shares shares =
+        shares_of(sweep, store, cost, vehicle.implement.working_width_m, one.method);
+    json["shares"][one.method] = {{"working", shares.working},
+                                  {"turning", shares.turning},
+                                  {"overlap", shares.overlap},
+                                  {"least_possible", shares.unavoidable}};
     if (asked.json) continue;
-    fmt::print("  working what {} covers once, on the level, takes {:.1f} % of its energy\n",
-               reference, 100.0 * share);
+    fmt::print("  {:<22}{:>14.1f} %{:>14.1f} %{:>14.1f} %{:>20.1f} %\n", one.method,
+               100.0 * shares.working, 100.0 * shares.turning, 100.0 * shares.overlap,
+               100.0 * shares.unavoidable);
   }
   if (asked.json) std::puts(json.dump(2).c_str());
 }
