@@ -1,7 +1,8 @@
-// The plans of two papers' tables driven in physics: what the papers print beside what our planners
-// of that name count and what driving their plans takes, and whether the papers' ranking of
-// planners survives the drive. Usage: papers [RUNS] [--only TEXT] [--iterations N] [--store FILE]
-// [--jobs N] [--json]: RUNS seeds a row (1 unless told), maps whose name has TEXT.
+// The plans of three papers' tables driven in physics: what the papers print beside what our
+// planners of that name count and what driving their plans takes, and whether the papers' ranking
+// of planners survives the drive. Usage: papers [RUNS] [--only TEXT] [--iterations N] [--store
+// FILE]
+// [--jobs N] [--json]: RUNS seeds a row (1 unless told), maps and scenes whose name has TEXT.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@
 
 #include "bench/figures.h"
 #include "bench/paper_rows.h"
+#include "bench/paper_scenes.h"
 #include "bench/scratch.h"
 #include "evaluate/rank_tests.h"
 #include "evaluate/sweep.h"
@@ -263,6 +265,9 @@ void run_courses(const Asked& asked) {
       print_course(course, all);
     }
   }
+  for (const Json& scene : run_scenes(scratch, asked.only, asked.runs, asked.json)) {
+    json.push_back(scene);
+  }
   if (asked.json) std::puts(json.dump(2).c_str());
 }
 
@@ -271,9 +276,9 @@ void run_courses(const Asked& asked) {
 
 int main(int argc, char** argv) {
   headland::bench::Asked asked;
-  CLI::App app("The plans of two papers' tables, driven");
+  CLI::App app("The plans of three papers' tables, driven");
   app.add_option("RUNS", asked.runs, "Seeds a row")->check(CLI::Range(1, 1000));
-  app.add_option("--only", asked.only, "Maps whose name has this");
+  app.add_option("--only", asked.only, "Maps and scenes whose name has this");
   app.add_option("--iterations", asked.iterations, "Of every planner but ours")
       ->check(CLI::Range(1, 1'000'000));
   app.add_option("--store", asked.store, "SQLite file with the runs; what it holds is not driven");
