@@ -20,7 +20,7 @@ struct TunedMethod {
 struct Tuning {
   std::filesystem::path file;  // it was read from
   std::string name;
-  Sweep training;  // each with one planner, which stands for any
+  Sweep training;                           // each with one planner, which stands for any
   std::string training_place = "training";  // line and key, for messages
   Sweep held_out;
   std::filesystem::path costs;  // measured ones; empty: to be measured
