@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "evaluate/duration_text.h"
 #include "render/map_base.h"
@@ -20,6 +22,7 @@ using Point3 = Eigen::Vector3d;
 constexpr Rgba kStrip{24, 28, 34, 255};
 constexpr Rgba kStripInk{236, 238, 240};
 constexpr Rgba kStripSoft{176, 184, 192};
+constexpr Rgba kPlate{252, 252, 250, 232};
 constexpr double kReach_m = 60.0;  // of lines on the ground around the machine
 
 std::optional<Point3> pixel_on_ground(const PictureScene& scene, const FieldView& view,
@@ -49,32 +52,9 @@ void draw_line(Sheet& lines, const PictureScene& scene, const FieldView& view,
   flush();
 }
 
-// The planned way from the machine on, as far as lines are drawn.
-std::vector<Point2> planned_ahead(const Path& path, const RunSample& sample) {
-  std::vector<Point2> line;
-  const Point2 here = sample.p_WB.head<2>();
-  double left_m = 0.6 * kReach_m;
-  for (auto i = static_cast<std::size_t>(std::max(sample.segment, 0));
-       i < path.segments.size() && left_m > 0.0; ++i) {
-    const auto& points = path.segments[i].points;
-    auto from = points.begin();
-    if (line.empty()) {
-      from = std::min_element(points.begin(), points.end(),
-                              [&](const PathPoint& a, const PathPoint& b) {
-                                return (a.p_W - here).squaredNorm() < (b.p_W - here).squaredNorm();
-                              });
-    }
-    for (; from != points.end() && left_m > 0.0; ++from) {
-      if (!line.empty()) left_m -= (from->p_W - line.back()).norm();
-      line.push_back(from->p_W);
-    }
-  }
-  return line;
-}
-
 void draw_inset(Sheet& sheet, const PictureScene& scene, const Page& page, const RunSample& sample,
                 const Box& box) {
-  fill_box(sheet, box, {252, 252, 250, 232});
+  fill_box(sheet, box, kPlate);
   const double pad = page.px(12);
   const Box room{box.x + pad, box.y + pad, box.width - 2.0 * pad, box.height - 2.0 * pad};
   const Extent field = extent_of(scene.field.boundary);
@@ -137,13 +117,49 @@ void draw_ground_legend(Sheet& sheet, Typeface& typeface, const Page& page, doub
 
 Eigen::Vector3f moment_sun() { return Eigen::Vector3f(-0.62F, -0.55F, 0.72F).normalized(); }
 
+std::vector<Point2> planned_ahead(const PictureScene& scene, const RunSample& sample) {
+  std::vector<Point2> line;
+  const Point2 here = sample.p_WB.head<2>();
+  const auto& samples = scene.run.samples;
+  const auto entered = std::find_if(samples.begin(), samples.end(), [&](const RunSample& past) {
+    return past.segment == sample.segment;
+  });
+  const double driven_m = entered == samples.end() ? 0.0 : sample.travel_m - entered->travel_m;
+  double left_m = 0.6 * kReach_m;
+  for (auto i = static_cast<std::size_t>(std::max(sample.segment, 0));
+       i < scene.path.segments.size() && left_m > 0.0; ++i) {
+    const auto& points = scene.path.segments[i].points;
+    auto from = points.begin();
+    if (line.empty()) {
+      // A pass around the field comes back to where it began: how far the vehicle drove on it tells
+      // the two ends apart.
+      constexpr double kWeight = 0.2;
+      double least = std::numeric_limits<double>::infinity();
+      double along_m = 0.0;
+      for (auto point = points.begin(); point != points.end(); ++point) {
+        if (point != points.begin()) along_m += (point->p_W - std::prev(point)->p_W).norm();
+        const double cost = (point->p_W - here).norm() + kWeight * std::abs(along_m - driven_m);
+        if (cost < least) {
+          least = cost;
+          from = point;
+        }
+      }
+    }
+    for (; from != points.end() && left_m > 0.0; ++from) {
+      if (!line.empty()) left_m -= (from->p_W - line.back()).norm();
+      line.push_back(from->p_W);
+    }
+  }
+  return line;
+}
+
 Sheet moment_lines(const PictureScene& scene, const FieldView& view, const RunSample& sample,
                    const WayColours* colours, double unit_px) {
   Sheet lines;
   draw_boundaries(lines, scene, view, std::max(1.0, 2.5 * unit_px));
   constexpr Rgba kAhead{255, 255, 255, 235};
-  draw_line(lines, scene, view, planned_ahead(scene.path, sample), std::max(1.0, 2.2 * unit_px),
-            kAhead, unit_px);
+  draw_line(lines, scene, view, planned_ahead(scene, sample), std::max(1.0, 2.2 * unit_px), kAhead,
+            unit_px);
   if (colours != nullptr) {
     const Point2 here = sample.p_WB.head<2>();
     draw_way(lines, scene.run, *colours, 7.0 * unit_px, [&](const RunSample& past) {
@@ -178,7 +194,12 @@ Image draw_moment(const PictureScene& scene, const PictureSize& size,
   const double pad = page.px(20);
   const Box inset{size.width - page.px(300) - pad, pad, page.px(300), page.px(220)};
   draw_inset(margin, scene, page, *sample, inset);
-  draw_north_arrow(margin, typeface, page, {pad + page.px(26), pad + page.px(44)},
+  // On a plate as the map is, whatever the ground is like there.
+  const Box plate{pad, pad, page.px(80), page.px(80)};
+  fill_box(margin, plate, kPlate);
+  frame_box(margin, plate, std::max(1.0, std::round(page.px(1))), colours::kInkSoft);
+  draw_north_arrow(margin, typeface, page,
+                   {plate.x + 0.5 * plate.width, plate.y + 0.5 * plate.height},
                    {-std::cos(view.heading_rad), -std::sin(view.heading_rad)});
   fill_box(margin, {0.0, page.main.bottom(), page.main.width, strip}, kStrip);
   const TextStyle bold = page.text(20, true);

@@ -24,6 +24,10 @@ struct MomentOptions {
 // pictures do, and for a run without samples.
 Image draw_moment(const PictureScene& scene, const PictureSize& size, const MomentOptions& options);
 
+// The planned way [m, W] from the sample's place on, as far as lines are drawn around the machine;
+// `scene.run` tells how far it drove on its segment.
+std::vector<Eigen::Vector2d> planned_ahead(const PictureScene& scene, const RunSample& sample);
+
 // Lines on the ground around the machine: boundary, planned path ahead with arrows, and the way
 // behind it, coloured if `colours` is given.
 Sheet moment_lines(const PictureScene& scene, const FieldView& view, const RunSample& sample,
