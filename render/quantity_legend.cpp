@@ -15,13 +15,13 @@ std::string value_text(double value, double span) {
 }
 
 // Upright bar with round ticks.
-void legend_scale(Legend& legend, const WayColours& colours) {
+void legend_scale(Legend& legend, const WayColours& colours, double units) {
   const Page& page = legend.page;
   const double low = colours.scale.low;
   const double high = colours.scale.high;
   legend_gap(legend, 12);
   const Box bar{page.column.x, std::round(legend.y_px), std::round(page.px(28)),
-                std::round(page.px(210))};
+                std::round(page.px(units))};
   const int rows = static_cast<int>(bar.height);
   for (int row = 0; row < rows; ++row) {
     const double value = high - (high - low) * (row + 0.5) / rows;
@@ -30,8 +30,8 @@ void legend_scale(Legend& legend, const WayColours& colours) {
   }
   const double line = std::max(1.0, std::round(page.px(1)));
   frame_box(legend.sheet, bar, line, colours::kInk);
-  constexpr double kTicks = 5.0;
-  const double step = round_down_to_125(1.6 * (high - low) / kTicks);
+  const double ticks = units > 150.0 ? 5.0 : 3.0;
+  const double step = round_down_to_125(1.6 * (high - low) / ticks);
   const TextStyle style = page.text(14);
   // Whole steps, so that zero is exactly zero.
   for (auto k = static_cast<long>(std::ceil(low / step)); static_cast<double>(k) * step <= high;
@@ -81,7 +81,7 @@ void draw_way(Sheet& sheet, const RunRecord& run, const WayColours& colours, dou
   }
 }
 
-void legend_way(Legend& legend, const WayColours& colours) {
+void legend_way(Legend& legend, const WayColours& colours, double scale_units) {
   const QuantityEntry& entry = quantity_entry(colours.quantity);
   legend_heading(legend, fmt::format("{} [{}]", entry.title, entry.unit));
   if (colours.values.empty()) {
@@ -89,7 +89,7 @@ void legend_way(Legend& legend, const WayColours& colours) {
     legend_gap(legend, 16);
     return;
   }
-  legend_scale(legend, colours);
+  legend_scale(legend, colours, scale_units);
   legend_heading(legend, fmt::format("Figures [{}]", entry.unit));
   const double span = colours.scale.high - colours.scale.low;
   const auto figure = [&](std::string_view label, double value) {

@@ -22,8 +22,8 @@ WayColours way_colours(const RunRecord& run, PathQuantity quantity);
 void draw_way(Sheet& sheet, const RunRecord& run, const WayColours& colours, double width_px,
               const std::function<std::optional<Eigen::Vector3d>(const RunSample&)>& place);
 
-// Heading, scale with round ticks, smallest, median and largest value.
-void legend_way(Legend& legend, const WayColours& colours);
+// Heading, scale with round ticks and `scale_units` tall, smallest, median and largest value.
+void legend_way(Legend& legend, const WayColours& colours, double scale_units = 210.0);
 
 // The scale alone, lying, with its title and the values at its ends, within the box.
 void draw_lying_scale(Sheet& sheet, Typeface& typeface, const Page& page, const WayColours& colours,

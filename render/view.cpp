@@ -117,8 +117,10 @@ Image draw_view(const PictureScene& scene, const PictureSize& size, const ViewOp
   Typeface typeface(kFontFile, kBoldFontFile);
   const FieldView view = field_view(scene, page, options.exaggeration);
   const RunSample* sample = last_pose(scene.run);
+  // The scale of an overlay needs more of the column than the colours of the ground.
+  const double inset_aspect = options.overlay ? 0.52 : 0.72;
   const Box inset{page.column.x, page.column.y, page.column.width,
-                  std::round(0.72 * page.column.width)};
+                  std::round(inset_aspect * page.column.width)};
 
   Sheet margin;
   write_title(margin, typeface, page, scene, "View");
@@ -134,7 +136,8 @@ Image draw_view(const PictureScene& scene, const PictureSize& size, const ViewOp
   if (options.overlay) {
     const WayColours colours = way_colours(scene.run, *options.overlay);
     draw_coloured_way(lines, scene, view, colours, std::max(1.5, page.px(3.0)));
-    legend_way(legend, colours);
+    constexpr double kShortScale = 110.0;
+    legend_way(legend, colours, kShortScale);
   } else {
     legend_ground(legend);
   }
