@@ -30,6 +30,7 @@ extern "C" void note_interrupt(int signal) {
 
 void catch_interrupts() {
   std::signal(SIGINT, note_interrupt);
+  std::signal(SIGTERM, note_interrupt);
   // A file that grows too large is an error of its writing, told like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
 }

@@ -8,8 +8,9 @@ inline constexpr char kInterruptedText[] = "interrupted; what the finished stage
 // Thrown by a stage that was interrupted; the command exits with 130.
 struct Interrupted {};
 
-// From here on a first Ctrl-C is noted and a second one ends the program at once. A file beyond the
-// limit of file sizes is an error of writing it, no end of the program.
+// From here on a first Ctrl-C, or request to end (SIGTERM), is noted and a second one ends the
+// program at once. A file beyond the limit of file sizes is an error of writing it, no end of the
+// program.
 void catch_interrupts();
 
 bool interrupted();
