@@ -189,10 +189,10 @@ struct Interruption {
   double took_s = 0.0;  // from the signal to the end
 };
 
-// Runs `headland SUBCOMMAND ARGUMENTS...` in `folder` and sends Ctrl-C `delay_us` after it has come
-// to handle it.
+// Runs `headland SUBCOMMAND ARGUMENTS...` in `folder` and sends Ctrl-C, or another signal,
+// `delay_us` after it has come to handle it.
 Interruption interrupt(const std::filesystem::path& folder, std::vector<const char*> arguments,
-                       useconds_t delay_us) {
+                       useconds_t delay_us, int signal = SIGINT) {
   arguments.insert(arguments.begin(), "headland");
   arguments.push_back(nullptr);
   const std::string errors = (folder / ".err").string();
@@ -207,7 +207,7 @@ Interruption interrupt(const std::filesystem::path& folder, std::vector<const ch
   for (int poll = 0; !catches_interrupts(pid) && poll < kMostPolls; ++poll) ::usleep(1000);
   ::usleep(delay_us);
   const auto sent = std::chrono::steady_clock::now();
-  ::kill(pid, SIGINT);
+  ::kill(pid, signal);
   int status = 0;
   for (int poll = 0; ::waitpid(pid, &status, WNOHANG) == 0; ++poll) {
     if (poll == kMostPolls) ::kill(pid, SIGKILL);
@@ -231,13 +231,15 @@ TEST_F(StagesTest, CtrlCWhileFilmingLeavesNoFile) {
   const std::set<std::string> before = files_in("DIR");
   constexpr useconds_t kIntoTheFilming_us = 700000;
   constexpr double kAtOnce_s = 3.0;  // on a busy machine; so many frames take longer
-  const Interruption film =
-      interrupt(folder_, {"render", "DIR", "--video", "DIR/run.mp4", "--speed", "1", "-q"},
-                kIntoTheFilming_us);
-  EXPECT_EQ(film.exit_code, 130);
-  EXPECT_EQ(film.err, "headland: interrupted; what the finished stages wrote is kept\n");
-  EXPECT_LT(film.took_s, kAtOnce_s);
-  EXPECT_EQ(files_in("DIR"), before);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const Interruption film =
+        interrupt(folder_, {"render", "DIR", "--video", "DIR/run.mp4", "--speed", "1", "-q"},
+                  kIntoTheFilming_us, signal);
+    EXPECT_EQ(film.exit_code, 130) << signal;
+    EXPECT_EQ(film.err, "headland: interrupted; what the finished stages wrote is kept\n");
+    EXPECT_LT(film.took_s, kAtOnce_s);
+    EXPECT_EQ(files_in("DIR"), before);
+  }
 }
 
 TEST_F(StagesTest, CtrlCWhileDrawingEndsAtOnceAndLeavesNoPicture) {
