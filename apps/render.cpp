@@ -11,6 +11,7 @@
 #include "apps/video_stage.h"
 #include "evaluate/atomic_file.h"
 #include "evaluate/results.h"
+#include "render/vehicle_mesh.h"
 #include "terrains/input_error.h"
 #include "terrains/input_file.h"
 #include "terrains/json_text.h"
@@ -93,6 +94,11 @@ RecordedRun read_run_and_tell(const Job& job) {
   RecordedRun recorded = read_recorded_run(job.folder, job.stage.field);
   for (const std::string& missing : recorded.missing) {
     fmt::print(stderr, "headland: {}\n", terminal_text(missing));
+  }
+  // A vehicle without a mesh is meant to be a box, one with a broken mesh is not.
+  const std::string body = body_mesh(job.stage.vehicle).note;
+  if (!body.empty() && !job.stage.vehicle.shapes.empty()) {
+    fmt::print(stderr, "headland: The vehicle's {}\n", terminal_text(body));
   }
   return recorded;
 }
