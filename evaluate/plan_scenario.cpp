@@ -5,6 +5,7 @@
 #include "evaluate/planner_cost.h"
 #include "planner/grid_planners.h"
 #include "planner/least_energy_path.h"
+#include "planner/perturbed_plan.h"
 #include "planner/planners.h"
 #include "terrains/input_error.h"
 
@@ -41,7 +42,8 @@ GridPlan planned_on_grid(const Scenario& scenario, const Stage& stage,
   request.cost.measured = cost;
   request.cancelled = cancelled;
   try {
-    return find_grid_planner(scenario.planner.name, source).plan(request);
+    const GridPlan plan = find_grid_planner(scenario.planner.name, source).plan(request);
+    return perturbed_plan(request, plan, scenario.planner.grid->perturb);
   } catch (const InputError& refused) {
     throw InputError(source, "planner: " + refused.where, refused.value, refused.allowed);
   }

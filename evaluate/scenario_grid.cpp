@@ -15,8 +15,9 @@
 namespace headland {
 namespace {
 
-constexpr std::array<std::string_view, 6> kKeys = {"start",         "end",  "closed",
-                                                   "direction_deg", "cost", "stop"};
+constexpr std::array<std::string_view, 7> kKeys = {"start", "end",  "closed", "direction_deg",
+                                                   "cost",  "stop", "perturb"};
+constexpr int kMostChanges = 1000;
 
 // Shortest text that reads back as the same number.
 template <typename Number>
@@ -65,6 +66,11 @@ GridPlanning read_grid_planning(const YamlSection& section) {
   planning.direction_deg = read_number(section, "direction_deg", {-360.0, 360.0}).value_or(0.0);
   planning.cost = read_grid_cost(section);
   if (const auto stop = read_section(section, "stop")) planning.stop = read_stop(*stop);
+  if (const auto perturb = read_section(section, "perturb")) {
+    refuse_unknown_keys(*perturb, {"changes", "seed"});
+    planning.perturb.changes = read_count(*perturb, "changes", 0, kMostChanges).value_or(1);
+    planning.perturb.seed = read_whole_number(*perturb, "seed").value_or(planning.perturb.seed);
+  }
   return planning;
 }
 
@@ -106,6 +112,11 @@ void emit_grid_planning(YAML::Emitter& out, const GridPlanning& planning,
   emit_number(out, "direction_deg", planning.direction_deg);
   emit_grid_cost(out, planning.cost, cost_file);
   emit_stop(out, planning.stop);
+  if (planning.perturb.changes == 0) return;
+  out << YAML::Key << "perturb" << YAML::Value << YAML::BeginMap;
+  emit_number(out, "changes", planning.perturb.changes);
+  emit_number(out, "seed", planning.perturb.seed);
+  out << YAML::EndMap;
 }
 
 GridMap take_grid_of(Field& field, double cell_m, double direction_deg, const std::string& source,

@@ -10,6 +10,7 @@
 #include "evaluate/given_cell.h"
 #include "evaluate/yaml_section.h"
 #include "planner/grid_plan.h"
+#include "planner/perturbed_plan.h"
 #include "terrains/field.h"
 
 namespace headland {
@@ -21,6 +22,7 @@ struct GridPlanning {
   double direction_deg = 0.0;  // of rows on a field, see grid_of_field
   GridCost cost;
   SearchStop stop;
+  Perturbation perturb;  // of the plan made
 };
 
 // Of the section `planner`. Throws InputError with line and key path.

@@ -30,6 +30,7 @@ struct Tuning {
   std::vector<std::string> plan_planners;
   int variations = 4;
   int plan_iterations = 10;
+  int perturbed = 4;    // further plans, made of those
   int evaluations = 0;  // of the search by driven energy, for each form with weights
   int bootstrap_draws = 1000;
   int shuffles = 3;  // fits to shuffled energies
@@ -48,7 +49,7 @@ Sweep sweep_by(const Sweep& set, const std::string& name, const std::vector<Tune
 PlannerChoice planner_with(const Tuning& tuning, const GridCost& cost);
 
 // The plans that are fitted to: every planner by boustrophedon order or search, each with weights
-// drawn from the tuning's seed.
+// drawn from the tuning's seed; and of these so many drawn, perturbed (perturbed_plan.h).
 std::vector<TunedMethod> training_methods(const Tuning& tuning);
 
 std::vector<std::string> tuning_key_paths();

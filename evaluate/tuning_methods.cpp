@@ -31,6 +31,18 @@ GridCost drawn_cost(int variation, SeededRandom& random) {
   return cost;
 }
 
+// Plans of those methods that few or many changes of their order make worse.
+void add_perturbed(const Tuning& tuning, SeededRandom& random, std::vector<TunedMethod>& methods) {
+  constexpr int kMostChanges = 8;
+  const int made = static_cast<int>(methods.size());
+  for (int i = 1; i <= tuning.perturbed; ++i) {
+    TunedMethod method = at(methods, draw_below(random, made));
+    method.label += fmt::format(", perturbed {}", i);
+    method.planner.grid->perturb = {1 + draw_below(random, kMostChanges), draw_bits(random)};
+    methods.push_back(method);
+  }
+}
+
 }  // namespace
 
 Sweep sweep_by(const Sweep& set, const std::string& name, const std::vector<TunedMethod>& methods) {
@@ -73,6 +85,7 @@ std::vector<TunedMethod> training_methods(const Tuning& tuning) {
           {variations == 1 ? name : fmt::format("{} {}", name, variation + 1), planner});
     }
   }
+  add_perturbed(tuning, random, methods);
   return methods;
 }
 

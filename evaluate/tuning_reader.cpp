@@ -20,11 +20,12 @@ const std::vector<std::string> kTuningKeys = {
     "held_out", "planner", "forms",      "plans",       "search",  "bootstrap",
     "shuffles", "path",    "simulation", "positioning", "coverage"};
 const std::vector<std::string> kSetKeys = {"fields", "terrains", "soils", "seeds"};
-const std::vector<std::string> kPlanKeys = {"planners", "variations", "iterations"};
+const std::vector<std::string> kPlanKeys = {"planners", "variations", "iterations", "perturbed"};
 const std::vector<std::string> kSearchKeys = {"evaluations"};
 constexpr const char* kSharedKeys[] = {"path", "simulation", "positioning", "coverage"};
 
 constexpr int kMostVariations = 1000;
+constexpr int kMostPerturbed = 10'000;
 constexpr int kMostIterations = 1'000'000;
 constexpr int kMostEvaluations = 10'000;
 constexpr int kLeastDraws = 100;
@@ -126,6 +127,8 @@ void read_training_plans(const YamlSection& top, Tuning& tuning) {
       read_count(*section, "variations", 1, kMostVariations).value_or(tuning.variations);
   tuning.plan_iterations =
       read_count(*section, "iterations", 1, kMostIterations).value_or(tuning.plan_iterations);
+  tuning.perturbed =
+      read_count(*section, "perturbed", 0, kMostPerturbed).value_or(tuning.perturbed);
   const YAML::Node given = node_of(*section, "planners");
   if (!given.IsDefined()) return;
   tuning.plan_planners.clear();

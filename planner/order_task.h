@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "planner/grid_plan.h"
 #include "planner/order_cost.h"
@@ -27,6 +28,10 @@ struct OrderTask {
   SeededRandom random;
   PlanSearch search;  // where length alone counts it ends at least_steps, unless the map is large
 };
+
+// The order in which a path over all cells comes to them first, with the task's start and end in
+// their places.
+std::vector<int> first_visits(const OrderTask& task, std::span<const GridCell> cells);
 
 // The plan of an order.
 GridPlan finished_plan(const OrderTask& task, const std::string& planner,

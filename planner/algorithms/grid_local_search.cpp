@@ -31,22 +31,7 @@ double kick_and_descend(Descent& descent, int most_cells, OrderTask& task) {
 std::vector<int> row_by_row_order(const OrderTask& task) {
   GridPlanRequest request = task.request;
   request.parameters.clear();
-  const GridPlan plan = plan_grid_boustrophedon(request);
-  const GridProblem& problem = task.problem;
-  const auto node_of = [&](GridCell cell) {
-    return at(problem.graph.node_of, static_cast<int>(index_of(request.map, cell)));
-  };
-  std::vector<char> waits(problem.graph.cells.size(), 1);
-  if (problem.end >= 0) at(waits, problem.end) = 0;
-  std::vector<int> order;
-  if (problem.closed) order.push_back(problem.start);
-  for (const GridCell cell : plan.cells) {
-    const int node = node_of(cell);
-    if (at(waits, node) != 0) order.push_back(node);
-    at(waits, node) = 0;
-  }
-  if (problem.end >= 0) order.push_back(problem.end);
-  return order;
+  return first_visits(task, plan_grid_boustrophedon(request).cells);
 }
 
 // Another greedy order, where there is a table of all distances.

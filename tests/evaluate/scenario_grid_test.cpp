@@ -70,11 +70,12 @@ TEST_F(GridScenarioTest, ReadsBackAsItIsWritten) {
            "vehicle: transplanter\n"
            "planner: {name: grid_tplp, population: 20, start: north_west, end: [5, 0], "
            "direction_deg: 12.5, cost: {objective: weighted, turn: 0.4}, "
-           "stop: {iterations: 30, stagnation: 10}}\n"));
+           "stop: {iterations: 30, stagnation: 10}, perturb: {changes: 3, seed: 9}}\n"));
   EXPECT_EQ(scenario_yaml(read(written)), written);
   EXPECT_THAT(written,
               AllOf(HasSubstr("start: north_west"), HasSubstr("end: [5, 0]"),
-                    HasSubstr("turn: 0.4"), HasSubstr("stagnation: 10"), HasSubstr("margin_m: 7")));
+                    HasSubstr("turn: 0.4"), HasSubstr("stagnation: 10"), HasSubstr("margin_m: 7"),
+                    HasSubstr("changes: 3"), HasSubstr("seed: 9")));
   const std::string tractor =
       scenario_yaml(read(kMapField + "planner: {name: grid_gwo, closed: true, cost: {objective: "
                                      "tractor, tractor: {friction: 0.3}}}\n"));
@@ -133,6 +134,10 @@ TEST_F(GridScenarioTest, RefusesWhatDoesNotGoTogether) {
               AllOf(HasSubstr("planner.start"), HasSubstr("only of planners on grid maps")));
   EXPECT_THAT(refusal(kMapField + "planner: {name: grid_tpl}\n"),
               AllOf(HasSubstr("planner.name"), HasSubstr("the nearest is grid_tplp")));
+  EXPECT_THAT(refusal(kMapField + "planner: {name: grid_tplp, perturb: {change: 1}}\n"),
+              HasSubstr("did you mean 'changes'?"));
+  EXPECT_THAT(refusal(kMapField + "planner: {name: boustrophedon, perturb: {changes: 1}}\n"),
+              AllOf(HasSubstr("planner.perturb"), HasSubstr("only of planners on grid maps")));
   EXPECT_THAT(refusal("field: {grid_map: none.txt}\nvehicle: transplanter\n"),
               HasSubstr("none.txt"));
 }

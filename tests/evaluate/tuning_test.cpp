@@ -8,8 +8,10 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include "evaluate/plan_scenario.h"
+#include "evaluate/run_key.h"
 #include "evaluate/tuned_weights.h"
 #include "evaluate/tuning_file.h"
 #include "tests/evaluate/made_up_costs.h"
@@ -28,7 +30,8 @@ const std::string kHead =
     "costs: costs.yaml\n"
     "forms: [tractor, length, measured]\n"
     "planner: {name: grid_local_search, stop: {iterations: 3}}\n"
-    "plans: {planners: [grid_boustrophedon, grid_local_search], variations: 4, iterations: 3}\n"
+    "plans: {planners: [grid_boustrophedon, grid_local_search], variations: 4, iterations: 3, "
+    "perturbed: 2}\n"
     "bootstrap: 100\n"
     "shuffles: 1\n"
     "simulation: {rate_hz: 60, record_hz: 1}\n"
@@ -91,11 +94,11 @@ TEST_F(TuningTest, RefusesWhatCannotBeFittedBeforeAnyDrive) {
   const Statement row = prepare(store.database, "SELECT count(*) FROM results");
   ASSERT_TRUE(step(row));
   EXPECT_EQ(number_at(row, 0), 0.0);
-  const Tuning few =
-      read_tuning(written("tune.yaml",
-                          "plans: {planners: [grid_boustrophedon]}\nvehicle: transplanter\ncosts: "
-                          "costs.yaml\n" +
-                              kTraining + kHeldOut));
+  const Tuning few = read_tuning(written(
+      "tune.yaml",
+      "plans: {planners: [grid_boustrophedon], perturbed: 0}\nvehicle: transplanter\ncosts: "
+      "costs.yaml\n" +
+          kTraining + kHeldOut));
   EXPECT_THAT(refusal([&] { run_tuning(few, store, {}); }),
               HasSubstr("training: '1 plans': at least 4 are needed to fit weighted: cells, "
                         "repeats, turns, U-turns"));
@@ -122,6 +125,7 @@ TEST_F(TuningTest, EveryKeyIsDocumented) {
 TEST_F(TuningTest, TrainsOnceByWhatHasNoWeights) {
   Tuning tuning = read_tuning(written("tune.yaml", kHead + kTraining + kHeldOut));
   const std::vector<TunedMethod> few = training_methods(tuning);
+  tuning.perturbed = 0;
   tuning.variations = 10;
   const std::vector<TunedMethod> methods = training_methods(tuning);
   ASSERT_THAT(methods, SizeIs(11));
@@ -130,13 +134,42 @@ TEST_F(TuningTest, TrainsOnceByWhatHasNoWeights) {
   EXPECT_EQ(times[GridObjective::kLength], 1);
   EXPECT_EQ(times[GridObjective::kMeasured], 1);
   EXPECT_EQ(times[GridObjective::kWeighted] + times[GridObjective::kTractor], 9);
-  for (std::size_t i = 0; i < few.size(); ++i) {
+  for (std::size_t i = 0; i + 2 < few.size(); ++i) {  // without the perturbed
     const GridCost& one = few[i].planner.grid->cost;
     const GridCost& other = methods[i].planner.grid->cost;
     EXPECT_EQ(one.objective, other.objective);
     EXPECT_EQ(one.weights.turn, other.weights.turn);
     EXPECT_EQ(one.tractor.turn_weight, other.tractor.turn_weight);
   }
+}
+
+// Each is a run of its own, the same for the same seed and as many more come after it.
+TEST_F(TuningTest, PerturbsPlansThatItMakes) {
+  Tuning tuning = read_tuning(written("tune.yaml", kHead + kTraining + kHeldOut));
+  const auto keys_of = [&] {
+    const Sweep sweep = sweep_by(tuning.training, "made up", training_methods(tuning));
+    std::vector<std::string> keys;
+    ContentDigests digests;
+    for (const Scenario& scenario : sweep.scenarios) keys.push_back(run_key(scenario, digests));
+    return keys;
+  };
+  constexpr std::size_t kMade = 5;  // rows, and four searches
+  tuning.perturbed = 20;
+  const std::vector<std::string> keys = keys_of();
+  ASSERT_THAT(keys, SizeIs(kMade + 20));
+  EXPECT_EQ(std::set<std::string>(keys.begin(), keys.end()).size(), keys.size());
+  EXPECT_EQ(keys_of(), keys);
+  tuning.perturbed = 2;
+  EXPECT_EQ(keys_of(), std::vector<std::string>(keys.begin(), keys.begin() + kMade + 2));
+  // Control: what is not perturbed is the planners' alone, and another seed perturbs otherwise.
+  const std::vector<TunedMethod> methods = training_methods(tuning);
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    const Perturbation& perturb = methods[i].planner.grid->perturb;
+    EXPECT_EQ(perturb.changes > 0, i >= kMade) << methods[i].label;
+  }
+  tuning.seed = 2;
+  EXPECT_NE(training_methods(tuning).back().planner.grid->perturb.seed,
+            methods.back().planner.grid->perturb.seed);
 }
 
 TEST_F(TuningTest, TakesNoEnergyForOneThatIsNone) {
@@ -176,8 +209,8 @@ TEST_F(TuningTest, FitsAndProvesAndGoesOnWhereItWas) {
   RunStore store;
   open_run_store(path("runs.db"), DatabaseMode::kWrite, store);
   const TuneResult result = run_tuning(tuning, store, {});
-  EXPECT_EQ(result.training.runs, 5);  // rows, and four searches
-  EXPECT_EQ(result.training.driven_now, 5);
+  EXPECT_EQ(result.training.runs, 7);  // rows, four searches and two perturbed plans
+  EXPECT_EQ(result.training.driven_now, 7);
   EXPECT_EQ(result.training.faults, 0) << result.training.why.front();
   ASSERT_THAT(result.forms, SizeIs(3));
   EXPECT_EQ(result.best_label, "Wang et al. fitted");
