@@ -47,6 +47,19 @@ std::vector<std::string> columns_of(const RunQuery& query) {
   return query.columns;
 }
 
+// A condition cannot be at fault where there is none, nor for what the disk holds.
+[[noreturn]] void refuse(const RunStore& store, const RunQuery& query, int code) {
+  const std::string reason = sqlite3_errmsg(store.database.get());
+  const int primary = code & 0xff;
+  if (query.where.empty() || primary == SQLITE_CORRUPT || primary == SQLITE_IOERR) {
+    throw InputError(store.file.string(), "", "", reason);
+  }
+  throw InputError("--where", "", query.where,
+                   code == SQLITE_AUTH ? "a condition on columns of runs is needed; it may read "
+                                         "them and nothing else"
+                                       : reason);
+}
+
 // One SELECT and nothing after it, whatever the condition's text holds.
 Statement prepared(const RunStore& store, const RunQuery& query,
                    const std::vector<std::string>& columns) {
@@ -59,12 +72,7 @@ Statement prepared(const RunStore& store, const RunQuery& query,
   const int code = sqlite3_prepare_v2(store.database.get(), sql.c_str(),
                                       static_cast<int>(sql.size()), &statement, &rest);
   Statement owned(statement);
-  if (code != SQLITE_OK) {
-    throw InputError("--where", "", query.where,
-                     code == SQLITE_AUTH ? "a condition on columns of runs is needed; it may read "
-                                           "them and nothing else"
-                                         : sqlite3_errmsg(store.database.get()));
-  }
+  if (code != SQLITE_OK) refuse(store, query, code);
   if (rest != nullptr && *rest != '\0') {
     throw InputError("--where", "", query.where, "one condition is needed, not several statements");
   }
@@ -119,9 +127,7 @@ std::string query_runs(const std::filesystem::path& file, const RunQuery& query,
     const int code = sqlite3_step(row.get());
     if (code == SQLITE_DONE) return csv;
     if ((code & 0xff) == SQLITE_INTERRUPT) throw Cancelled{};
-    if (code != SQLITE_ROW) {
-      throw InputError("--where", "", query.where, sqlite3_errmsg(store.database.get()));
-    }
+    if (code != SQLITE_ROW) refuse(store, query, code);
     for (int i = 0; i < static_cast<int>(columns.size()); ++i) {
       if (i > 0) csv += ',';
       append_value(csv, row, i);

@@ -43,6 +43,9 @@ TEST_F(SweepCommandTest, SweepsInPartsAndJoinsThem) {
                 .exit_code,
             0);
   EXPECT_EQ(text_of(folder_ / "out/runs.csv"), query.out);
+  // Cut short by a full disk.
+  EXPECT_EQ(headland("query all.db >/dev/full 2>.err #").exit_code, 2);
+  EXPECT_THAT(text_of(folder_ / ".err"), HasSubstr("standard output: cannot be written: No space"));
 }
 
 TEST_F(SweepCommandTest, RefusesInOneLine) {

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <fstream>
 #include <limits>
 #include <string>
 
@@ -135,6 +136,19 @@ TEST_F(Store, RefusesWhatIsNone) {
   EXPECT_THAT(refused("folder"), HasSubstr("folder: "));
   EXPECT_THAT(refusal([&] { static_cast<void>(energies("absent.db")); }), HasSubstr("absent.db: "));
   EXPECT_FALSE(std::filesystem::exists(path("absent.db")));
+}
+
+TEST_F(Store, BlamesADamagedFileAndNoCondition) {
+  fill("runs.db", 1, 2);
+  EXPECT_EQ(energies("runs.db", "seed > 0"), "energy_wh\n1.25\n2.25\n");
+  constexpr std::size_t kPage = 4096;  // SQLite's, of which the first tells the tables
+  const std::size_t bytes = std::filesystem::file_size(path("runs.db"));
+  std::fstream file(path("runs.db"), std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(kPage);
+  file << std::string(bytes - kPage, '\xff');
+  file.close();
+  EXPECT_THAT(refused_where("seed > 0"), HasSubstr("runs.db: database disk image is malformed"));
+  EXPECT_THAT(refused_where(""), HasSubstr("runs.db: database disk image is malformed"));
 }
 
 TEST_F(Store, ConditionsReadAndDoNothingElse) {
