@@ -79,7 +79,8 @@ TEST_F(SweepCommandTest, TellsOfAFullDisk) {
 
 TEST_F(SweepCommandTest, CtrlCKeepsWhatIsDone) {
   write("many.yaml", "seeds: {count: 1000}\n" + kTinySweep.substr(kTinySweep.find("fields")));
-  const CommandResult result = headland("sweep many.yaml --store runs.db", "timeout -s INT 3");
+  const CommandResult result =
+      headland("sweep many.yaml --store runs.db", "timeout --foreground -s INT 3");
   EXPECT_EQ(result.exit_code, 124);  // timeout's own: it had to interrupt
   EXPECT_THAT(result.err, HasSubstr("interrupted; what the finished stages wrote is kept"));
   EXPECT_THAT(result.out, HasSubstr(" runs of 4000 in the matrix"));
