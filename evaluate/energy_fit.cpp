@@ -106,6 +106,7 @@ void check_fittable(GridObjective form, const std::vector<PlanRun>& plans,
   const std::vector<std::string> all = energy_terms(form);
   std::vector<std::string> names;
   const std::vector<Eigen::Index> columns = fitted_columns(form, rows.terms);
+  names.reserve(columns.size());
   for (const Eigen::Index i : columns) names.push_back(all[static_cast<std::size_t>(i)]);
   refuse_unfittable(form, rows.terms(Eigen::all, columns), names, source, place);
 }

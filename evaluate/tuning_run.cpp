@@ -54,6 +54,7 @@ std::vector<PlanRun> drive(TuningUnderWay& running, std::string_view what, const
 std::vector<double> energies(const EnergyFit& fit, const std::vector<PlanRun>& plans,
                              double (*energy_of)(const EnergyFit&, const PlanRun&)) {
   std::vector<double> wh;
+  wh.reserve(plans.size());
   for (const PlanRun& plan : plans) wh.push_back(energy_of(fit, plan));
   return wh;
 }

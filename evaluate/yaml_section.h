@@ -71,6 +71,7 @@ template <typename Value>
 Value read_choice(const YamlSection& section, std::string_view key, Value otherwise,
                   const std::vector<std::pair<std::string, Value>>& words) {
   std::vector<std::string> known;
+  known.reserve(words.size());
   for (const auto& [word, value] : words) known.push_back(word);
   const std::optional<std::size_t> place = read_one_of(section, key, known);
   return place ? words[*place].second : otherwise;

@@ -176,6 +176,7 @@ std::vector<double> headings_for(const Filling& filling, const Patch& patch,
 
 std::vector<double> every_heading() {
   std::vector<double> headings_rad;
+  headings_rad.reserve(2 * kEveryDirection);
   for (int i = 0; i < 2 * kEveryDirection; ++i) headings_rad.push_back(pi * i / kEveryDirection);
   return headings_rad;
 }

@@ -35,8 +35,9 @@ std::vector<Pose> places_on(const std::vector<Vector2d>& way, const FreeSpace& s
     const Vector2d along = way[after] - way[before];
     const double heading_rad = std::atan2(along.y(), along.x());
     for (int k = 0; k < kHeadingsTried / 2; ++k) {
+      const int steps_off = (k + 1) / 2;
       const double off_rad =
-          (k % 2 == 0 ? 1.0 : -1.0) * ((k + 1) / 2) * 2.0 * std::numbers::pi / kHeadingsTried;
+          (k % 2 == 0 ? 1.0 : -1.0) * steps_off * 2.0 * std::numbers::pi / kHeadingsTried;
       const Pose place{way[i], wrap_angle(heading_rad + off_rad)};
       if (!fits(space, place, options.clearance_m)) continue;
       places.push_back(place);

@@ -108,6 +108,7 @@ std::vector<Pass> ordered(std::vector<Pass> passes, const std::optional<Vector2d
   }
   while (improve(links, order)) stop_if(cancelled);
   std::vector<Pass> result;
+  result.reserve(order.size());
   for (const std::size_t pass : order) result.push_back(std::move(passes[pass - 1]));
   return result;
 }

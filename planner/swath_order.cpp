@@ -123,6 +123,7 @@ std::vector<std::vector<std::size_t>> neighbours_of(const std::vector<Vector2d>&
   using Point = bg::model::point<double, 2, bg::cs::cartesian>;
   using End = std::pair<Point, std::size_t>;
   std::vector<End> ends;
+  ends.reserve(ends_W.size());
   for (const Vector2d& p_W : ends_W) ends.emplace_back(Point(p_W.x(), p_W.y()), ends.size());
   const bg::index::rtree<End, bg::index::rstar<16>> tree(ends);
   std::vector<std::vector<std::size_t>> neighbours(ends_W.size());

@@ -26,6 +26,7 @@ WayLengths::WayLengths(const FreeSpace& space, const std::vector<Vector2d>& from
   const double longer_m = space.cell_m * std::max(space.columns, space.rows);
   const DiscCells cells = disc_cells(space, space.hull.half_width_m, longer_m / kWayCells);
   std::vector<int> to_cells;
+  to_cells.reserve(to_W.size());
   for (const Vector2d& p_W : to_W) to_cells.push_back(nearest_free(cells, p_W));
   for (std::size_t from = 0; from < from_W.size(); ++from) {
     std::vector<float> distance_m;
