@@ -18,7 +18,7 @@ using Found = std::optional<RunEvent>;
 
 struct Event {
   EventEntry entry;
-  Found (*find)(const Path&, const RunRecord&);
+  Found (*find)(const Path&, const RunRecord&) = nullptr;
 };
 
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
