@@ -1,0 +1,62 @@
+#include "planner/line_joining.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace headland {
+namespace {
+
+// Headland widths are named in steps of this.
+constexpr double kWidthStep_m = 0.1;
+
+}  // namespace
+
+ConnectionOptions connection_options(const LineJoining& joining, double clearance_m) {
+  return {joining.radius_m, clearance_m, joining.cancelled};
+}
+
+Eigen::Vector2d implement_at(const LineJoining& joining, const PathPoint& axle) {
+  return axle.p_W + joining.space.hull.bar_x_m * direction_of(axle.heading_rad);
+}
+
+std::string place_name(const Field& field, const Eigen::Vector2d& p_W) {
+  std::string place = fmt::format("({:.1f}, {:.1f}) m", p_W.x(), p_W.y());
+  if (field.frame.georeferenced) {
+    const Eigen::Vector2d lon_lat = wgs84_from_local(field.frame, {p_W}).front();
+    place += fmt::format(" [lon {:.6f}, lat {:.6f}]", lon_lat.x(), lon_lat.y());
+  }
+  return place;
+}
+
+std::string line_name(const std::vector<WorkLine>& lines, std::size_t index) {
+  const bool swath = lines[index].kind == PathKind::kSwath;
+  return fmt::format("pass {} ({})", index + 1, swath ? "swath" : "headland pass");
+}
+
+void refuse_connection(const LineJoining& joining, std::size_t before, std::size_t next) {
+  const PathPoint& from = joining.lines[before].points.back();
+  const PathPoint& to = joining.lines[next].points.front();
+  const Eigen::Vector2d end_W = implement_at(joining, from);
+  const std::string what =
+      fmt::format("no turn from {} to {} fits at {}", line_name(joining.lines, before),
+                  line_name(joining.lines, next), place_name(joining.field, end_W));
+  const EdgeAhead ahead = edge_ahead(joining.space, end_W, from.heading_rad);
+  const double there_m = ahead.distance_m * ahead.outward.dot(direction_of(from.heading_rad));
+  const double depth_m = least_depth_m(joining.space, pose_of(from), pose_of(to), joining.radius_m,
+                                       end_W, ahead.outward) +
+                         joining.options.clearance_m;
+  if (depth_m > there_m) {
+    const double would_do_m = std::ceil(depth_m / kWidthStep_m) * kWidthStep_m;
+    throw PlanInfeasible(
+        fmt::format("{}: it needs a headland of {:.1f} m and there are {:.1f} m; widen the "
+                    "headland, turn tighter or allow overruns (--allow-overrun)",
+                    what, would_do_m, there_m));
+  }
+  throw PlanInfeasible(fmt::format(
+      "{}: the way is blocked though the headland of {:.1f} m is deep enough; move the passes, "
+      "remove what is in the way or allow overruns (--allow-overrun)",
+      what, there_m));
+}
+
+}  // namespace headland
