@@ -48,6 +48,7 @@ DiscCells disc_cells(const FreeSpace& space, double radius_m, double cell_m) {
   cells.columns = static_cast<int>(size.x() / cell_m) + 1;
   cells.rows = static_cast<int>(size.y() / cell_m) + 1;
   const int count = cells.columns * cells.rows;
+  cells.free.reserve(static_cast<std::size_t>(count));
   for (int cell = 0; cell < count; ++cell) {
     cells.free.push_back(disc_fits(space, cells.centre_W(cell), radius_m) ? 1 : 0);
   }

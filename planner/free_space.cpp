@@ -101,29 +101,6 @@ double distance_to_edge(const FreeSpace& space, const Vector2d& p_W, int index) 
   return distance_to_segment(p_W, edge.a_W, edge.b_W);
 }
 
-// Looks at cells further and further out until no edge in them can be nearer than the best one.
-NearestEdge search_outwards(const FreeSpace& space, const Vector2d& p_W) {
-  NearestEdge nearest{std::numeric_limits<double>::max(), 0};
-  const CellPlace place = place_of(space, p_W);
-  // No edge is nearer than that, so cells all of whose ground is are empty.
-  const double least_m =
-      std::abs(place.cell.edge_distance_m) - (p_W - place.centre_W).norm() - space.cell_m;
-  const int first_ring =
-      std::max(0, static_cast<int>(std::floor(least_m / space.cell_m / std::numbers::sqrt2 - 0.5)));
-  const CellRange one = cells_around(space, p_W, p_W);
-  const int last_ring = std::max(space.columns, space.rows);
-  for (int ring = first_ring; ring <= last_ring; ++ring) {
-    if (nearest.distance_m <= space.cell_m * (ring - 1)) break;
-    visit_ring(space, one.column_0, one.row_0, ring, [&](const FreeSpace::Cell& cell) {
-      for (const int index : cell.edges) {
-        const double distance_m = distance_to_edge(space, p_W, index);
-        if (distance_m < nearest.distance_m) nearest = {distance_m, index};
-      }
-    });
-  }
-  return nearest;
-}
-
 // Calls visit(column, row, distance_m) for every cell of the range, with the distance from its
 // centre to the nearest of `near`, by halves: what is nearest to a place in a half is no further
 // from the half's middle than the nearest to that, and twice as far as the place is.
@@ -248,7 +225,26 @@ bool inside(const FreeSpace& space, const Vector2d& p_W) {
 }
 
 NearestEdge nearest_edge(const FreeSpace& space, const Vector2d& p_W) {
-  return search_outwards(space, p_W);
+  NearestEdge nearest{std::numeric_limits<double>::max(), 0};
+  const CellPlace place = place_of(space, p_W);
+  // No edge is nearer than that, so cells all of whose ground is are empty.
+  const double least_m =
+      std::abs(place.cell.edge_distance_m) - (p_W - place.centre_W).norm() - space.cell_m;
+  const int first_ring =
+      std::max(0, static_cast<int>(std::floor(least_m / space.cell_m / std::numbers::sqrt2 - 0.5)));
+  const CellRange one = cells_around(space, p_W, p_W);
+  // Further and further out until no edge there can be nearer than the best one.
+  const int last_ring = std::max(space.columns, space.rows);
+  for (int ring = first_ring; ring <= last_ring; ++ring) {
+    if (nearest.distance_m <= space.cell_m * (ring - 1)) break;
+    visit_ring(space, one.column_0, one.row_0, ring, [&](const FreeSpace::Cell& cell) {
+      for (const int index : cell.edges) {
+        const double distance_m = distance_to_edge(space, p_W, index);
+        if (distance_m < nearest.distance_m) nearest = {distance_m, index};
+      }
+    });
+  }
+  return nearest;
 }
 
 EdgeAhead edge_ahead(const FreeSpace& space, const Vector2d& p_W, double heading_rad) {
