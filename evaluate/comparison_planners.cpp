@@ -85,24 +85,19 @@ ComparedPlanner read_compared_planner(const YamlSection& section, const PlannerK
                      fmt::format("the key is missing: a {} planner (headland list planners)",
                                  kind.fields ? "region" : "grid"));
   }
-  const auto found = std::ranges::find(kind.planners, *name, &KnownPlanner::name);
-  if (found == kind.planners.end()) {
-    std::vector<std::string> names;
-    for (const KnownPlanner& known : kind.planners) names.push_back(known.name);
-    throw InputError(section.source, place_of(section, "name"), *name,
-                     fmt::format("unknown planner; did you mean '{}'? (known: {})",
-                                 nearest_name(*name, names), fmt::join(names, ", ")));
-  }
+  std::vector<std::string> names;
+  for (const KnownPlanner& planner : kind.planners) names.push_back(planner.name);
+  const KnownPlanner& found = kind.planners[place_in(section, "name", *name, "planner", names)];
   std::vector<std::string> known = kind.fields ? kFieldPlannerKeys : kPlannerKeys;
-  const std::vector<std::string> own = parameter_names(found->parameters);
+  const std::vector<std::string> own = parameter_names(found.parameters);
   known.insert(known.end(), own.begin(), own.end());
   refuse_unknown_keys(section, known);
   ComparedPlanner planner;
   planner.name = *name;
   planner.label = read_word(section, "label").value_or(*name);
-  planner.parameters = read_parameters(section, found->parameters);
-  if (found->check != nullptr) {
-    found->check(planner.parameters, section.source, place_of_itself(section));
+  planner.parameters = read_parameters(section, found.parameters);
+  if (found.check != nullptr) {
+    found.check(planner.parameters, section.source, place_of_itself(section));
   }
   planner.stop = stop;
   if (kind.fields) {

@@ -132,17 +132,12 @@ void read_training_plans(const YamlSection& top, Tuning& tuning) {
   const YAML::Node given = node_of(*section, "planners");
   if (!given.IsDefined()) return;
   tuning.plan_planners.clear();
+  std::vector<std::string> names;
+  for (const GridPlannerEntry& entry : grid_planners()) names.emplace_back(entry.name);
   if (given.IsSequence()) {
     for (const YAML::Node& item : given) {
       const std::string name = item.IsScalar() ? item.Scalar() : "";
-      const auto known = [&](const GridPlannerEntry& entry) { return entry.name == name; };
-      if (std::ranges::none_of(grid_planners(), known)) {
-        std::vector<std::string> names;
-        for (const GridPlannerEntry& entry : grid_planners()) names.emplace_back(entry.name);
-        throw InputError(top.source, place_of(*section, "planners"), name,
-                         fmt::format("unknown planner; did you mean '{}'? (known: {})",
-                                     nearest_name(name, names), fmt::join(names, ", ")));
-      }
+      place_in(*section, "planners", name, "planner", names);
       tuning.plan_planners.push_back(name);
     }
   }

@@ -265,11 +265,16 @@ std::optional<std::size_t> read_one_of(const YamlSection& section, std::string_v
                                        const std::vector<std::string>& words) {
   const auto given = read_word(section, key);
   if (!given) return std::nullopt;
-  const auto found = std::ranges::find(words, *given);
-  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  throw InputError(section.source, place_of(section, key), *given,
-                   fmt::format("unknown word; did you mean '{}'? (known: {})",
-                               nearest_name(*given, words), fmt::join(words, ", ")));
+  return place_in(section, key, *given, "word", words);
+}
+
+std::size_t place_in(const YamlSection& section, std::string_view key, const std::string& given,
+                     std::string_view what, const std::vector<std::string>& known) {
+  const auto found = std::ranges::find(known, given);
+  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+  throw InputError(section.source, place_of(section, key), given,
+                   fmt::format("unknown {}; did you mean '{}'? (known: {})", what,
+                               nearest_name(given, known), fmt::join(known, ", ")));
 }
 
 std::string read_crs(const YamlSection& section) {

@@ -57,6 +57,10 @@ std::optional<int> read_count(const YamlSection& section, std::string_view key, 
 // One of the words, as its place in the list.
 std::optional<std::size_t> read_one_of(const YamlSection& section, std::string_view key,
                                        const std::vector<std::string>& words);
+// Where `given`, a value of this key, stands among the known ones. Throws InputError, which calls
+// it an unknown `what`.
+std::size_t place_in(const YamlSection& section, std::string_view key, const std::string& given,
+                     std::string_view what, const std::vector<std::string>& known);
 std::optional<bool> read_flag(const YamlSection& section, std::string_view key);
 std::optional<Eigen::Vector2d> read_point(const YamlSection& section, std::string_view key);
 std::optional<std::vector<Eigen::Vector2d>> read_points(const YamlSection& section,

@@ -51,6 +51,14 @@ export const tooltip = {
   confine: true,
 };
 
+// The categories of a chart of bars on its y axis, whose labels have that width on a page so wide.
+export const categories = (names, width) => ({
+  type: 'category',
+  ...axis,
+  data: names,
+  axisLabel: { ...font, color: ink, width: width < 500 ? 122 : 190, overflow: 'truncate' },
+});
+
 // Intervals across the bars of a chart whose categories stand on its y axis: [category, low, high].
 export const whiskers = (intervals) => ({
   type: 'custom',

@@ -1,5 +1,5 @@
 // Where the plans of the methods differ, and what that costs.
-import { axis, chart, textStyle, tooltip } from './charts.js';
+import { axis, categories, chart, textStyle, tooltip } from './charts.js';
 import { el, figures, section, table } from './dom.js';
 import { fixed, percent } from './format.js';
 import { ink, kinds as kindColours } from './palette.js';
@@ -84,17 +84,10 @@ function stacked(rows) {
       },
       grid: { left: width < 500 ? 132 : 200, right: 24, top: width < 500 ? 52 : 30, bottom: 46 },
       xAxis: { type: 'value', ...axis, name: 'Wh', nameLocation: 'middle', nameGap: 30 },
-      yAxis: {
-        type: 'category',
-        ...axis,
-        data: order.map(({ method }) => methodName(method)),
-        axisLabel: {
-          ...textStyle,
-          color: ink,
-          width: width < 500 ? 122 : 190,
-          overflow: 'truncate',
-        },
-      },
+      yAxis: categories(
+        order.map(({ method }) => methodName(method)),
+        width,
+      ),
       series: [
         ...kinds.map((kind) => ({
           type: 'bar',

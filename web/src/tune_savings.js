@@ -1,8 +1,8 @@
 // What plans by each method save, driven, with intervals.
-import { axis, chart, textStyle, tooltip, whiskers } from './charts.js';
+import { axis, categories, chart, tooltip, whiskers } from './charts.js';
 import { el, figures, section, table } from './dom.js';
 import { duration, fixed, percent, short } from './format.js';
-import { ink, softInk } from './palette.js';
+import { softInk } from './palette.js';
 
 export const boustrophedon = 'boustrophedon';
 export const isControl = (method) => method.startsWith('shuffled');
@@ -43,16 +43,11 @@ function bars(reference, rows) {
         nameGap: 30,
       },
       yAxis: {
-        type: 'category',
-        ...axis,
+        ...categories(
+          order.map(({ method }) => methodName(method)),
+          width,
+        ),
         axisLine: { onZero: false, show: false },
-        data: order.map(({ method }) => methodName(method)),
-        axisLabel: {
-          ...textStyle,
-          color: ink,
-          width: width < 500 ? 122 : 190,
-          overflow: 'truncate',
-        },
       },
       series: [
         {
