@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <system_error>
 
 #include "apps/command_words.h"
 #include "apps/commands.h"
@@ -71,7 +74,9 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   headland::catch_interrupts();
   try {
-    return run(argc, argv);
+    const int exit_code = run(argc, argv);
+    if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category());
+    return exit_code;
   } catch (const headland::InputError& error) {
     complain(error.what());
     return headland::kExitBadInput;
@@ -84,6 +89,13 @@ int main(int argc, char** argv) {
   } catch (const headland::Interrupted&) {
     complain(headland::kInterruptedText);
     return headland::kExitInterrupted;
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0) {
+      complain("standard output: cannot be written: " + error.code().message());
+      return headland::kExitBadInput;
+    }
+    complain(std::string("internal error: ") + error.what());
+    return headland::kExitInternal;
   } catch (const std::exception& error) {
     complain(std::string("internal error: ") + error.what());
     return headland::kExitInternal;

@@ -1,10 +1,8 @@
 // headland query and headland merge: what stores of runs hold.
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cstdio>
 #include <memory>
-#include <system_error>
 
 #include "apps/commands.h"
 #include "apps/interrupt.h"
@@ -41,11 +39,7 @@ int query(const QueryCommand& command) {
     throw Interrupted{};
   }
   if (command.file.empty()) {
-    if (std::fwrite(csv.data(), 1, csv.size(), stdout) < csv.size() || std::fflush(stdout) != 0) {
-      throw InputError(
-          "standard output", "", "",
-          fmt::format("cannot be written: {}", std::generic_category().message(errno)));
-    }
+    fmt::print("{}", csv);
   } else {
     write_together(file.has_parent_path() ? file.parent_path() : ".",
                    {{file.filename().string(), csv}});
