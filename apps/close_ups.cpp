@@ -81,7 +81,7 @@ std::vector<PagePicture> close_ups(const Job& job, const RecordedRun& recorded) 
     pictures.push_back({fmt::format("close_up_{}.png", name), title,
                         title + ": the machine on the ground it has worked until then, and where "
                                 "in the field that is",
-                        png_of(draw_moment(until.scene, kCloseUp, options))});
+                        draw_moment(until.scene, kCloseUp, options)});
   }
   return pictures;
 }

@@ -114,7 +114,7 @@ int compare(const CompareCommand& command) {
     for (const FileText& file : files) json["pictures"].push_back(file.name);
     files.push_back({kComparisonFile, json_text(json, 1) + "\n"});
     write_together(folder, files);
-    write_together(folder, {{kReportFile, comparison_report(folder)}});
+    write_together(folder, {{kReportFile, comparison_report(folder).html}});
   }
   if (command.json) {
     fmt::print("{}\n", json_text(json, 1));

@@ -48,7 +48,7 @@ void require_place(const fs::path& folder, bool is_default) {
   }
 }
 
-std::string page_of_folder(const fs::path& folder) {
+ReportPage page_of_folder(const fs::path& folder) {
   if (fs::exists(folder / kComparisonFile)) return comparison_report(folder);
   if (fs::exists(folder / kTuningFile)) return tuning_report(folder);
   if (!fs::exists(folder / kScenarioFile)) {
@@ -68,12 +68,13 @@ int report(const ReportCommand& command) {
   require_folder(folder);
   const fs::path parent = file.has_parent_path() ? file.parent_path() : fs::path(".");
   require_place(parent, command.file.empty());
-  std::string page;
+  ReportPage page;
   {
     const InterruptAtOnce at_once;
     page = page_of_folder(folder);
   }
-  write_together(parent, {{file.filename().string(), page}});
+  write_together(parent, {{file.filename().string(), page.html}});
+  tell_missing(page.missing);
   if (command.json) {
     fmt::print("{}\n", json_text({{"report", file.string()}}, 2));
   } else if (!command.quiet) {
@@ -97,7 +98,7 @@ void add_report_command(CLI::App& app, int& exit_code) {
   command->footer(
       "Example:\n  headland report out/demo\n\n"
       "Writes one HTML file that holds everything it shows: open it in any browser, offline too.\n"
-      "What is missing in the folder is left out and told on the page.");
+      "What is missing in the folder is left out and told, on the page too.");
   command->callback([given, &exit_code] { exit_code = report(*given); });
 }
 

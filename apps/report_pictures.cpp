@@ -10,7 +10,8 @@ namespace headland {
 void add_picture(const std::filesystem::path& folder, const KnownPicture& known,
                  std::vector<PagePicture>& pictures, std::vector<std::string>& missing) {
   try {
-    pictures.push_back({known.name, known.title, known.alt, read_text(folder / known.name)});
+    pictures.push_back({known.name, known.title, known.alt,
+                        image_of_png(read_text(folder / known.name), known.name)});
   } catch (const InputError&) {
     missing.push_back(fmt::format(
         "The picture {} is missing (the program draws it with the results).", known.name));

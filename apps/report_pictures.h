@@ -10,6 +10,11 @@
 
 namespace headland {
 
+struct ReportPage {
+  std::string html;
+  std::vector<std::string> missing;  // what the page says that it lacks, one sentence each
+};
+
 struct KnownPicture {
   std::string name;   // of the file in the folder
   std::string title;  // caption

@@ -6,10 +6,11 @@
 #include "apps/interrupt.h"
 #include "apps/report_pictures.h"
 #include "evaluate/atomic_file.h"
-#include "evaluate/base64.h"
+#include "evaluate/packed_bytes.h"
 #include "evaluate/report_data.h"
 #include "evaluate/results.h"
 #include "render/ground_images.h"
+#include "render/page_image.h"
 #include "render/path_quantity.h"
 #include "render/report_page.h"
 #include "render/scene_file.h"
@@ -37,7 +38,7 @@ const KnownPicture kRunPictures[] = {
 Json image_json(const GroundImage& ground) {
   const Extent& extent = ground.extent;
   return {{"extent_m", {extent.low.x(), extent.low.y(), extent.high.x(), extent.high.y()}},
-          {"png", base64(png_of(ground.image))}};
+          {"url", image_url(ground.image)}};
 }
 
 PageWords words_of(const Job& job, const Json& metrics) {
@@ -54,35 +55,35 @@ PageWords words_of(const Job& job, const Json& metrics) {
 
 }  // namespace
 
-std::string run_report(const Job& job) {
+ReportPage run_report(const Job& job) {
   const Stage& stage = job.stage;
-  RecordedRun recorded = read_recorded_run(job.folder, stage.field);
+  const RecordedRun recorded = read_recorded_run(job.folder, stage.field);
   const CoverageRaster coverage =
       measure_coverage(stage.field, recorded.run.footprints, job.scenario.working_width_m,
                        job.scenario.coverage_cell_m);
   std::vector<PagePicture> pictures = close_ups(job, recorded);
-  std::vector<std::string> missing_pictures;
+  std::vector<std::string> missing = recorded.missing;
   for (const KnownPicture& known : kRunPictures) {
-    add_picture(job.folder, known, pictures, missing_pictures);
+    add_picture(job.folder, known, pictures, missing);
   }
   const std::vector<double> wh_per_m =
       quantity_along(recorded.run.samples, PathQuantity::kEnergyPerMetre);
   Json data = run_page_json({job.scenario, stage, recorded, coverage, wh_per_m}, HEADLAND_VERSION);
-  for (const std::string& missing : missing_pictures) data["missing"].push_back(missing);
+  data["missing"] = missing;
   const PictureScene scene{stage.field,   stage.terrain, stage.vehicle,
                            recorded.path, recorded.run,  coverage};
   data["relief"] = image_json(draw_relief(scene, kReliefSide_px));
   data["coverage"] = image_json(coverage_image(coverage, kCoverageSide_px));
   const SceneFile file = scene_file(scene);
-  data["scene"] = {{"base_m", file.base_m}, {"glb", base64(file.glb)}};
-  return report_html(words_of(job, recorded.metrics), data, pictures);
+  data["scene"] = {{"base_m", file.base_m}, {"glb", packed_bytes(file.glb)}};
+  return {report_html(words_of(job, recorded.metrics), data, pictures), missing};
 }
 
 void report_stage(const Job& job) {
   std::string html;
   {
     const InterruptAtOnce at_once;
-    html = run_report(job);
+    html = run_report(job).html;
   }
   write_together(job.folder, {{kReportFile, html}});
 }

@@ -47,7 +47,7 @@ std::vector<std::string> map_names(const Json& compare) {
 
 }  // namespace
 
-std::string comparison_report(const fs::path& folder) {
+ReportPage comparison_report(const fs::path& folder) {
   Json data = page_data("compare", folder / kComparisonFile, {"comparison", "results", "runs"});
   const Json& compare = data["compare"];
   std::vector<PagePicture> pictures;
@@ -60,11 +60,12 @@ std::string comparison_report(const fs::path& folder) {
     add_picture(folder, {name, title, alt}, pictures, missing);
   }
   for (const std::string& picture : missing) data["missing"].push_back(picture);
-  return report_html({"Comparison: " + text_at(compare, "comparison", "name"), "", {}}, data,
-                     pictures);
+  return {report_html({"Comparison: " + text_at(compare, "comparison", "name"), "", {}}, data,
+                      pictures),
+          missing};
 }
 
-std::string tuning_report(const fs::path& folder) {
+ReportPage tuning_report(const fs::path& folder) {
   Json data = page_data("tune", folder / kTuningFile,
                         {"name", "training", "held_out", "forms", "methods", "held_out_plans"});
   const Json& tune = data["tune"];
@@ -88,7 +89,7 @@ std::string tuning_report(const fs::path& folder) {
   }
   for (const std::string& picture : missing) data["missing"].push_back(picture);
   const std::string name = tune["name"].is_string() ? tune["name"].get<std::string>() : "";
-  return report_html({"Tuning: " + name, "", {}}, data, pictures);
+  return {report_html({"Tuning: " + name, "", {}}, data, pictures), missing};
 }
 
 }  // namespace headland

@@ -51,4 +51,10 @@ std::string terminal_text(std::string_view text) {
   return shown;
 }
 
+void tell_missing(const std::vector<std::string>& missing) {
+  for (const std::string& what : missing) {
+    fmt::print(stderr, "headland: {}\n", terminal_text(what));
+  }
+}
+
 }  // namespace headland

@@ -114,7 +114,7 @@ int tune(const TuneCommand& command) {
   for (const FileText& picture : pictures) json["pictures"].push_back(picture.name);
   pictures.push_back({kTuningFile, json_text(json, 1) + "\n"});
   write_together(folder, pictures);
-  write_together(folder, {{kReportFile, tuning_report(folder)}});
+  write_together(folder, {{kReportFile, tuning_report(folder).html}});
   if (command.json) {
     fmt::print("{}\n", json_text(json, 1));
   } else if (!command.quiet) {

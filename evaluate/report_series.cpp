@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
-#include "evaluate/base64.h"
 #include "evaluate/geojson.h"
+#include "evaluate/packed_bytes.h"
 
 namespace headland {
 namespace {
@@ -58,12 +59,25 @@ std::vector<double> column_of(const std::vector<RunSample>& samples, const Serie
 
 }  // namespace
 
-std::vector<std::size_t> bucket_starts(std::size_t samples, std::size_t most) {
+std::vector<std::size_t> bucket_starts(std::span<const RunSample> samples, std::size_t most) {
+  const std::size_t count = samples.size();
+  std::vector<double> turned_rad(count, 0.0);  // until each
+  for (std::size_t i = 1; i < count; ++i) {
+    const double turn_rad =
+        std::remainder(samples[i].yaw_rad - samples[i - 1].yaw_rad, 2.0 * std::numbers::pi);
+    turned_rad[i] = turned_rad[i - 1] + (std::isfinite(turn_rad) ? std::abs(turn_rad) : 0.0);
+  }
+  const auto bucket_of = [&](std::size_t i) {
+    if (count <= most) return i;
+    const double of_samples = static_cast<double>(i) / static_cast<double>(count - 1);
+    const double of_turning =
+        turned_rad.back() > 0.0 ? turned_rad[i] / turned_rad.back() : of_samples;
+    return static_cast<std::size_t>(0.5 * (of_samples + of_turning) * static_cast<double>(most));
+  };
   std::vector<std::size_t> starts;
-  if (samples == 0) return starts;
-  const std::size_t length = std::max<std::size_t>(1, (samples + most - 1) / most);
-  for (std::size_t i = 0; i + 1 < samples; i += length) starts.push_back(i);
-  starts.push_back(samples - 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i == 0 || i + 1 == count || bucket_of(i) != bucket_of(i - 1)) starts.push_back(i);
+  }
   return starts;
 }
 
@@ -89,15 +103,15 @@ Envelope envelope_of(std::span<const double> values, std::span<const std::size_t
 
 Json envelope_json(const Envelope& envelope) {
   Json json;
-  json["low"] = base64_floats(envelope.low);
+  json["low"] = packed_floats(envelope.low);
   const bool same = std::equal(envelope.low.begin(), envelope.low.end(), envelope.high.begin(),
                                [](float a, float b) { return a == b || (a != a && b != b); });
-  if (!same) json["high"] = base64_floats(envelope.high);
+  if (!same) json["high"] = packed_floats(envelope.high);
   return json;
 }
 
 Json series_json(const std::vector<RunSample>& samples, std::span<const double> wh_per_m) {
-  const std::vector<std::size_t> starts = bucket_starts(samples.size(), kMostReportBuckets);
+  const std::vector<std::size_t> starts = bucket_starts(samples, kMostReportBuckets);
   Json json;
   json["count"] = starts.size();
   json["samples"] = samples.size();
@@ -107,7 +121,7 @@ Json series_json(const std::vector<RunSample>& samples, std::span<const double> 
     for (const std::size_t i : starts) {
       values.push_back(static_cast<float>(column.value(samples[i])));
     }
-    json["poses"][column.name] = base64_floats(values);
+    json["poses"][column.name] = packed_floats(values);
   }
   for (const SeriesColumn& column : kEnvelopes) {
     json["envelopes"][column.name] = envelope_json(envelope_of(column_of(samples, column), starts));
@@ -139,7 +153,7 @@ Json footprints_json(const std::vector<FootprintSample>& footprints) {
   constexpr const char* kNames[] = {"left_x_m",  "left_y_m", "right_x_m",
                                     "right_y_m", "time_s",   "starts_strip"};
   Json json;
-  for (std::size_t k = 0; k < columns.size(); ++k) json[kNames[k]] = base64_floats(columns[k]);
+  for (std::size_t k = 0; k < columns.size(); ++k) json[kNames[k]] = packed_floats(columns[k]);
   return json;
 }
 

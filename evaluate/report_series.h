@@ -12,12 +12,13 @@
 
 namespace headland {
 
-// So many buckets keep the page of a 10 h run below 15 MB with a pose every three seconds.
-inline constexpr std::size_t kMostReportBuckets = 11000;
+// However long the run: what a page can draw and carry.
+inline constexpr std::size_t kMostReportBuckets = 10000;
 
-// Index of the first sample of every bucket: at most `most` + 1 buckets of equal length, and the
-// last sample in one of its own. Empty for no samples.
-std::vector<std::size_t> bucket_starts(std::size_t samples, std::size_t most);
+// Index of the first sample of every bucket: at most `most` + 1 buckets, the last sample in one of
+// its own. Each holds an equal share of the samples and of all turning, both counting half, so that
+// turns are as smooth as straights when there are more samples than buckets. Empty for no samples.
+std::vector<std::size_t> bucket_starts(std::span<const RunSample> samples, std::size_t most);
 
 // Smallest and largest value in every bucket; values that are not finite count for nothing, and a
 // bucket of them alone is NaN.
@@ -27,11 +28,11 @@ struct Envelope {
 };
 Envelope envelope_of(std::span<const double> values, std::span<const std::size_t> starts);
 
-// {"low": floats, "high": floats} in base64, without "high" where it is the same.
+// {"low", "high"}, packed floats each; without "high" where it is the same.
 nlohmann::ordered_json envelope_json(const Envelope& envelope);
 
-// {"count", "poses": {column: floats of each bucket's first sample}, "envelopes": {column: low,
-// high}}. Columns are named as in run.csv; `wh_per_m` stands beside them, one value a sample,
+// {"count", "poses": {column: packed floats of each bucket's first sample}, "envelopes": {column:
+// low, high}}. Columns are named as in run.csv; `wh_per_m` stands beside them, one value a sample,
 // unless it is empty.
 nlohmann::ordered_json series_json(const std::vector<RunSample>& samples,
                                    std::span<const double> wh_per_m);

@@ -24,4 +24,22 @@ std::string png_of(const Image& image) {
   return bytes;
 }
 
+Image image_of_png(const std::string& bytes, const std::string& name) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  Image image;
+  bool read = png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) != 0;
+  if (read) {
+    png.format = PNG_FORMAT_RGBA;
+    image.width = static_cast<int>(png.width);
+    image.height = static_cast<int>(png.height);
+    image.rgba.resize(PNG_IMAGE_SIZE(png));
+    read = png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) != 0;
+  }
+  if (!read) {
+    throw InputError(name, "", "", "cannot be read as PNG: " + std::string(png.message));
+  }
+  return image;
+}
+
 }  // namespace headland

@@ -17,4 +17,8 @@ struct Image {
 // The bytes of a PNG file. Throws InputError when libpng cannot make one.
 std::string png_of(const Image& image);
 
+// The picture in the bytes of a PNG file; `name` is told in the InputError that is thrown when they
+// are none, or only a part of one.
+Image image_of_png(const std::string& bytes, const std::string& name);
+
 }  // namespace headland

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "evaluate/base64.h"
+#include "render/page_image.h"
 #include "render/report_assets.h"
 #include "terrains/json_text.h"
 
@@ -56,9 +56,10 @@ std::string words_html(const PageWords& words) {
 
 std::string picture_html(const PagePicture& picture) {
   return fmt::format(
-      "<figure data-picture=\"{}\"><img alt=\"{}\" src=\"data:image/png;base64,{}\">"
+      "<figure data-picture=\"{}\"><img alt=\"{}\" src=\"{}\">"
       "<figcaption>{}</figcaption></figure>\n",
-      escaped(picture.name), escaped(picture.alt), base64(picture.png), escaped(picture.title));
+      escaped(picture.name), escaped(picture.alt), image_url(picture.image),
+      escaped(picture.title));
 }
 
 }  // namespace

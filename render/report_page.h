@@ -14,7 +14,7 @@ struct PagePicture {
   std::string name;   // "field.png"
   std::string title;  // caption
   std::string alt;    // what is to be seen, for those who cannot
-  std::string png;    // bytes
+  Image image;
 };
 
 // What the page says by itself, before and without its script.

@@ -17,9 +17,9 @@ packages=(
   # files and the command line
   liburdfdom-dev libtinyxml-dev libpugixml-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev
   # runs as data
-  libsqlite3-dev libssl-dev
+  libsqlite3-dev libssl-dev zlib1g-dev
   # pictures; EGL is the other maker of the OpenGL context (HEADLAND_GL=EGL)
-  libosmesa6-dev libegl-dev libopengl-dev libassimp-dev libpng-dev libfreetype-dev fonts-dejavu-core gnuplot-nox ffmpeg
+  libosmesa6-dev libegl-dev libopengl-dev libassimp-dev libpng-dev libwebp-dev libfreetype-dev fonts-dejavu-core gnuplot-nox ffmpeg
   # tests and benchmarks; the browser is for the report's page
   libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev chromium
 )

@@ -12,7 +12,7 @@ async function notModelled() {
   const text = await readFile(join(here, '../docs/physics.md'), 'utf8');
   const section = text.match(/^## Not modelled\n([\s\S]*?)(?=^## |(?![\s\S]))/m);
   if (!section) throw new Error('docs/physics.md has no section "Not modelled"');
-  return section[1].replace(/\s+/g, ' ').trim();
+  return section[1].replace(/\s+/g, ' ').replaceAll('`', '').trim();
 }
 
 await build({

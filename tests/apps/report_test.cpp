@@ -39,7 +39,12 @@ TEST_F(ReportTest, TellsWhatIsMissing) {
   const std::string run = text_of(folder_ / "A" / "run.csv");
   write("A/run.csv", run.substr(0, run.size() / 2));
   fs::remove(folder_ / "A" / "view.png");
-  EXPECT_EQ(headland("report A -q").exit_code, 0);
+  write("A/field.png", text_of(folder_ / "A" / "field.png").substr(0, 2000));
+  const CommandResult told = headland("report A -q");
+  EXPECT_EQ(told.exit_code, 0);
+  EXPECT_THAT(told.err, HasSubstr("headland: The time series ends after"));
+  EXPECT_THAT(told.err, HasSubstr("headland: The picture view.png is missing"));
+  EXPECT_THAT(told.err, HasSubstr("headland: The picture field.png is missing"));
   const std::string page = text_of(folder_ / "A" / "report.html");
   EXPECT_THAT(page, HasSubstr("The time series ends after"));
   EXPECT_THAT(page, HasSubstr("The picture view.png is missing"));

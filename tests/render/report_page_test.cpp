@@ -13,7 +13,7 @@ using testing::Not;
 
 std::string page(const std::string& title, const std::string& text) {
   return report_html({title, "PASS", {"line"}}, {{"text", text}},
-                     {{"a.png", "A <title>", "what \"it\" shows", "bytes"}});
+                     {{"a.png", "A <title>", "what \"it\" shows", {1, 1, {9, 8, 7, 255}}}});
 }
 
 TEST(ReportPage, TakesTextsForTexts) {

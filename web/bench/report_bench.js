@@ -1,5 +1,5 @@
 // What the page of a long run costs: `node bench/report_bench.js [--json] [DIR...]`. Without folders
-// it drives a run of some 10 h first (a battery that lasts so long, a field of 4.8 ha); with them it
+// it drives a run of more than 10 h first (a battery that lasts so long, a field of 5.7 ha); with them it
 // takes the runs in there. HEADLAND_BINARY is the program (default: ../build/headland).
 import { execFile } from 'node:child_process';
 import { cp, mkdtemp, readFile, rm, stat, writeFile } from 'node:fs/promises';
@@ -22,7 +22,7 @@ async function driveTenHours(folder) {
   const scenario = join(folder, 'ten_hours.yaml');
   await writeFile(
     scenario,
-    `field: {boundary: [[0, 0], [240, 0], [240, 200], [0, 200]]}
+    `field: {boundary: [[0, 0], [280, 0], [280, 202], [0, 202]]}
 terrain: {generator: rolling, micro_relief: {rms_m: 0.015, correlation_m: 1.5}}
 vehicle: ${vehicle}
 `,

@@ -1,18 +1,30 @@
-// What the program wrote into the page (evaluate/report_data.h), decoded.
+// What the program wrote into the page (evaluate/report_data.h, evaluate/packed_bytes.h), decoded.
+import { unzlibSync } from 'three/addons/libs/fflate.module.js';
+
 export function readData() {
   return JSON.parse(document.getElementById('report').textContent);
 }
 
-export function bytes(base64) {
+function bytes(base64) {
   const text = atob(base64);
   const array = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) array[i] = text.charCodeAt(i);
   return array;
 }
 
-export const floats = (base64) => new Float32Array(bytes(base64).buffer);
+export const unpack = (text) => unzlibSync(bytes(text));
 
-export const pngUrl = (base64) => `data:image/png;base64,${base64}`;
+export function floats(text) {
+  const planes = unpack(text);
+  const count = planes.length / 4;
+  const bits = new Uint32Array(count);
+  for (let i = 0, now = 0; i < count; ++i) {
+    now += planes[i];
+    for (let byte = 1; byte < 4; ++byte) now += planes[byte * count + i] << (8 * byte);
+    bits[i] = now |= 0;
+  }
+  return new Float32Array(bits.buffer);
+}
 
 // Columns by name: poses have one value a row, envelopes a low and a high one, and `worst` is the
 // one farther from zero.

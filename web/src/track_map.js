@@ -1,7 +1,7 @@
 // The field from above: relief, coverage, planned and driven path, coloured by what one likes to see.
 import L from 'leaflet';
 import 'leaflet/dist/leaflet.css';
-import { pngUrl, rowAt, worst } from './data.js';
+import { rowAt, worst } from './data.js';
 import { el } from './dom.js';
 import { short } from './format.js';
 import { ground, ink, kinds, paper, viridis } from './palette.js';
@@ -93,7 +93,7 @@ function layerOf(view, { data, series }, canvas) {
       line(lines, colour, 0.8),
     );
     layers.unshift(
-      L.imageOverlay(pngUrl(data.coverage.png), boundsOf(data.coverage.extent_m), {
+      L.imageOverlay(data.coverage.url, boundsOf(data.coverage.extent_m), {
         opacity: 0.85,
         alt: 'Ground by times worked',
         className: 'coverage-image',
@@ -130,7 +130,7 @@ function fixedLayers({ data }, canvas) {
   const { field } = data;
   const outline = { color: ink, weight: 2, fill: false, interactive: false, renderer: canvas };
   const layers = [
-    L.imageOverlay(pngUrl(data.relief.png), boundsOf(data.relief.extent_m), {
+    L.imageOverlay(data.relief.url, boundsOf(data.relief.extent_m), {
       alt: 'Relief of the ground',
     }),
     L.polygon(ringOf(field.boundary), outline),

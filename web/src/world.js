@@ -17,7 +17,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { bytes, rowAt } from './data.js';
+import { rowAt, unpack } from './data.js';
 import { createMachine } from './machine.js';
 import { createWorkedGround } from './worked_ground.js';
 
@@ -104,7 +104,7 @@ export async function createWorld(canvas, run) {
   const { data, series, moment } = run;
   const renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
   renderer.setClearColor(new Color(kSky));
-  const gltf = await new GLTFLoader().parseAsync(bytes(data.scene.glb).buffer, '');
+  const gltf = await new GLTFLoader().parseAsync(unpack(data.scene.glb).buffer, '');
   const root = gltf.scene.getObjectByName('scene');
   plainMaterials(gltf.scene);
   const scene = new Scene();
