@@ -1,7 +1,6 @@
 #include "apps/render_view.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -114,8 +113,7 @@ MomentScene::MomentScene(const Job& job, const RecordedRun& recorded,
 Image draw_requested(const Job& job, const RecordedRun& recorded, const ViewRequest& request) {
   const bool of_event = request.view.starts_with(kEventPrefix);
   if (!of_event && std::find(kViews.begin(), kViews.end(), request.view) == kViews.end()) {
-    throw InputError("--view", "", request.view,
-                     fmt::format("one of {}", fmt::join(view_names(), ", ")));
+    throw InputError("--view", "", request.view, unknown_name("view", request.view, view_names()));
   }
   if (request.view == kGridView) return draw_grid(job, request);
   std::optional<double> moment_s = request.at_s;

@@ -1,7 +1,6 @@
 #include "render/path_quantity.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -58,12 +57,12 @@ const QuantityEntry& quantity_entry(PathQuantity quantity) {
 }
 
 PathQuantity quantity_named(const std::string& name) {
-  std::vector<std::string_view> known;
+  std::vector<std::string> known;
   for (const QuantityEntry& entry : kEntries) {
     if (entry.name == name) return entry.quantity;
-    known.push_back(entry.name);
+    known.emplace_back(entry.name);
   }
-  throw InputError("--overlay", "", name, fmt::format("one of {}", fmt::join(known, ", ")));
+  throw InputError("--overlay", "", name, unknown_name("overlay", name, known));
 }
 
 std::vector<double> quantity_along(std::span<const RunSample> samples, PathQuantity quantity) {

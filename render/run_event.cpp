@@ -1,7 +1,6 @@
 #include "render/run_event.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -138,16 +137,16 @@ std::span<const EventEntry> run_events() {
 
 std::optional<RunEvent> find_event(const std::string& name, const Path& path,
                                    const RunRecord& run) {
-  std::vector<std::string_view> known;
+  std::vector<std::string> known;
   for (const Event& event : kEvents) {
-    known.push_back(event.entry.name);
+    known.emplace_back(event.entry.name);
     if (event.entry.name != name) continue;
     Found found = event.find(path, run);
     if (found && !std::isfinite(found->time_s)) return std::nullopt;
     if (found) found->title = event.entry.title;
     return found;
   }
-  throw InputError("--view", "event", name, fmt::format("one of {}", fmt::join(known, ", ")));
+  throw InputError("--view", "event", name, unknown_name("event", name, known));
 }
 
 }  // namespace headland

@@ -56,4 +56,12 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
   return nearest == candidates.end() ? std::string() : *nearest;
 }
 
+std::string unknown_name(std::string_view what, std::string_view word,
+                         const std::vector<std::string>& known) {
+  std::string all;
+  for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
+  return "unknown " + std::string(what) + "; did you mean '" + nearest_name(word, known) +
+         "'? (known: " + all + ")";
+}
+
 }  // namespace headland

@@ -25,4 +25,9 @@ struct InputError : std::runtime_error {
 // The candidate nearest to `word` by edit distance; empty when `candidates` is empty.
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
 
+// What an InputError says is allowed instead of an unknown name: "unknown view; did you mean 'map'?
+// (known: map, chase)". `what` is what is named.
+std::string unknown_name(std::string_view what, std::string_view word,
+                         const std::vector<std::string>& known);
+
 }  // namespace headland

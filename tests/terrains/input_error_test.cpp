@@ -26,5 +26,10 @@ TEST(NearestName, IsTheOneWithFewestEdits) {
   EXPECT_EQ(nearest_name("anything", {}), "");
 }
 
+TEST(InputError, AnUnknownNameIsToldWithTheNearest) {
+  EXPECT_EQ(unknown_name("view", "mpa", {"chase", "map"}),
+            "unknown view; did you mean 'map'? (known: chase, map)");
+}
+
 }  // namespace
 }  // namespace headland
