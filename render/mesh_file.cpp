@@ -5,10 +5,13 @@
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
+#include <assimp/DefaultIOSystem.h>
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <string>
+#include <system_error>
+#include <vector>
 
 #include "terrains/input_error.h"
 #include "terrains/input_file.h"
@@ -23,6 +26,42 @@ Rgba diffuse_colour(const aiMaterial& material) {
     return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
   };
   return {byte(colour.r), byte(colour.g), byte(colour.b)};
+}
+
+// Notes which of the files that a mesh file names cannot be opened.
+class NotingFiles : public Assimp::DefaultIOSystem {
+ public:
+  explicit NotingFiles(std::vector<std::string>& missing) : missing_(missing) {}
+
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    Assimp::IOStream* const stream = DefaultIOSystem::Open(file, mode);
+    const std::string name = std::filesystem::path(file).filename().string();
+    // When its materials' file is not there, assimp looks for one of the mesh's own name.
+    if (stream != nullptr) {
+      missing_.clear();
+    } else if (missing_.empty()) {
+      missing_.push_back(name);
+    }
+    return stream;
+  }
+
+ private:
+  std::vector<std::string>& missing_;
+};
+
+// Textures of all materials by name, each once.
+std::vector<std::string> textures_of(const aiScene& scene) {
+  std::vector<std::string> names;
+  for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
+    for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
+      aiString name;
+      if (scene.mMaterials[i]->GetTexture(type, 0, &name) != AI_SUCCESS) continue;
+      if (std::find(names.begin(), names.end(), name.C_Str()) == names.end()) {
+        names.emplace_back(name.C_Str());
+      }
+    }
+  }
+  return names;
 }
 
 void append(Mesh& mesh, const aiMesh& part, Rgba colour) {
@@ -42,9 +81,11 @@ void append(Mesh& mesh, const aiMesh& part, Rgba colour) {
 
 }  // namespace
 
-Mesh read_mesh(const std::filesystem::path& file) {
+MeshFile read_mesh(const std::filesystem::path& file) {
   require_file(file);
   Assimp::Importer importer;
+  std::vector<std::string> missing;
+  importer.SetIOHandler(new NotingFiles(missing));  // the importer's from here on
   // Points and lines have no surface to draw.
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
@@ -55,7 +96,8 @@ Mesh read_mesh(const std::filesystem::path& file) {
     throw InputError(file.string(), "", "",
                      std::string("no readable mesh: ") + importer.GetErrorString());
   }
-  Mesh mesh;
+  MeshFile read;
+  Mesh& mesh = read.mesh;
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
     const aiMesh& part = *scene->mMeshes[i];
     append(mesh, part, diffuse_colour(*scene->mMaterials[part.mMaterialIndex]));
@@ -68,7 +110,20 @@ Mesh read_mesh(const std::filesystem::path& file) {
         fmt::format("vertices within {} m of the origin are needed, in metres", kMaxMesh_m));
   }
   if (mesh.indices.empty()) throw InputError(file.string(), "", "", "the mesh has no triangles");
-  return mesh;
+  const std::string name = file.filename().string();
+  for (const std::string& material : missing) {
+    read.lacks.push_back(
+        fmt::format("{} names the materials {}, which cannot be read: drawn grey", name, material));
+  }
+  for (const std::string& texture : textures_of(*scene)) {
+    const bool embedded = scene->GetEmbeddedTexture(texture.c_str()) != nullptr;
+    std::error_code ignored;
+    const bool there = embedded || std::filesystem::exists(file.parent_path() / texture, ignored);
+    read.lacks.push_back(fmt::format("{} has the texture {}, which {}: drawn in plain colour", name,
+                                     embedded ? "inside it" : texture,
+                                     there ? "is not shown" : "is missing"));
+  }
+  return read;
 }
 
 }  // namespace headland

@@ -37,25 +37,36 @@ Mesh plain_body(const Body& body) {
 }
 
 // The mesh of a file, stretched by the shape's factors.
-Mesh stretched_mesh(const Shape& shape) {
-  Mesh mesh = read_mesh(shape.mesh_file);
+MeshFile stretched_mesh(const Shape& shape) {
+  MeshFile read = read_mesh(shape.mesh_file);
+  Mesh& mesh = read.mesh;
   const Eigen::Vector3f factors = shape.size.cast<float>();
   for (MeshVertex& vertex : mesh.vertices) {
     vertex.p = vertex.p.cwiseProduct(factors);
     vertex.normal = vertex.normal.cwiseQuotient(factors).normalized();
     if (shape.rgb) vertex.colour = colour_of(*shape.rgb);
   }
-  return mesh;
+  // A colour of its own needs no materials.
+  if (shape.rgb) read.lacks.clear();
+  return read;
 }
 
-void append_shape(Mesh& mesh, const Shape& shape) {
+void append_shape(VehicleMesh& body, const Shape& shape) {
+  Mesh& mesh = body.mesh;
   const Rgba colour = shape.rgb ? colour_of(*shape.rgb) : kPlainBody;
   constexpr int kSides = 32;
   std::vector<Eigen::Vector2d> profile;
   switch (shape.kind) {
-    case ShapeKind::kMesh:
-      append(mesh, stretched_mesh(shape), shape.X);
+    case ShapeKind::kMesh: {
+      const MeshFile read = stretched_mesh(shape);
+      append(mesh, read.mesh, shape.X);
+      for (const std::string& lack : read.lacks) {
+        if (std::find(body.lacks.begin(), body.lacks.end(), lack) == body.lacks.end()) {
+          body.lacks.push_back(lack);
+        }
+      }
       return;
+    }
     case ShapeKind::kBox:
       append(mesh, box_mesh(-0.5 * shape.size, 0.5 * shape.size, colour), shape.X);
       return;
@@ -189,7 +200,7 @@ void append_implement(Mesh& mesh, const Vehicle& vehicle, const RunSample& sampl
 VehicleMesh body_mesh(const Vehicle& vehicle) {
   VehicleMesh out;
   try {
-    for (const Shape& shape : vehicle.shapes) append_shape(out.mesh, shape);
+    for (const Shape& shape : vehicle.shapes) append_shape(out, shape);
     if (vehicle.shapes.empty()) out.note = "no mesh: plain box";
   } catch (const InputError& unread) {
     out.note =
@@ -203,8 +214,9 @@ std::vector<std::string> vehicle_notes(const Vehicle& vehicle) {
   std::vector<std::string> notes = vehicle.notes;
   const bool told = std::any_of(notes.begin(), notes.end(),
                                 [](const std::string& note) { return note.starts_with("mesh "); });
-  const std::string mesh = body_mesh(vehicle).note;
-  if (!mesh.empty() && !told) notes.push_back(mesh + " in the pictures");
+  const VehicleMesh body = body_mesh(vehicle);
+  if (!body.note.empty() && !told) notes.push_back(body.note + " in the pictures");
+  notes.insert(notes.end(), body.lacks.begin(), body.lacks.end());
   return notes;
 }
 

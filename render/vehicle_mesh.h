@@ -13,8 +13,9 @@
 namespace headland {
 
 struct VehicleMesh {
-  Mesh mesh;         // in frame B
-  std::string note;  // why the body is a plain box; empty when it is not
+  Mesh mesh;                       // in frame B
+  std::string note;                // why the body is a plain box; empty when it is not
+  std::vector<std::string> lacks;  // materials and textures it is drawn without, a sentence each
 };
 
 // The body alone: from the vehicle's shapes, or a plain box of the hull's size when there are

@@ -13,6 +13,7 @@
 namespace headland {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr double kSinglePrecision_m = 1e-5;
@@ -28,7 +29,7 @@ TEST(MeshFile, KeepsPlaceAndColourOfItsTriangles) {
   scratch("red.mtl", "newmtl red\nKd 1.0 0.2 0.0\n");
   const auto file =
       scratch("one.obj", "mtllib red.mtl\nv 1 2 3\nv 2 2 3\nv 1 2 4\nusemtl red\nf 1 2 3\n");
-  const Mesh mesh = read_mesh(file);
+  const Mesh mesh = read_mesh(file).mesh;
   ASSERT_EQ(mesh.indices.size(), 3U);
   EXPECT_EQ(mesh.vertices[mesh.indices[0]].p, Eigen::Vector3f(1, 2, 3));
   EXPECT_EQ(mesh.vertices[0].colour, (Rgba{255, 51, 0}));
@@ -52,6 +53,35 @@ TEST(MeshFile, RefusesAMissingAndABrokenOne) {
                 ": '3600, 0, 1': vertices within 100 m of the origin are needed, in metres");
   EXPECT_THAT(message(scratch("nan.obj", "v 0 0 1\nv nan 0 1\nv 0 1 1\nf 1 2 3\n")),
               HasSubstr("vertices within 100 m"));
+}
+
+TEST(MeshFile, NamesTheMaterialsAndTexturesThatItIsDrawnWithout) {
+  const char* const triangle = "v 0 0 1\nv 1 0 1\nv 0 1 1\nvt 0 0\nusemtl paint\nf 1/1 2/1 3/1\n";
+  const auto plain = scratch("plain.obj", ("mtllib gone.mtl\n" + std::string(triangle)).c_str());
+  EXPECT_THAT(
+      read_mesh(plain).lacks,
+      ElementsAre("plain.obj names the materials gone.mtl, which cannot be read: drawn grey"));
+  EXPECT_EQ(read_mesh(plain).mesh.indices.size(), 3U);
+  scratch("paint.mtl", "newmtl paint\nKd 1.0 0.2 0.0\nmap_Kd wood.png\n");
+  const auto wooden = scratch("wooden.obj", ("mtllib paint.mtl\n" + std::string(triangle)).c_str());
+  EXPECT_THAT(
+      read_mesh(wooden).lacks,
+      ElementsAre("wooden.obj has the texture wood.png, which is missing: drawn in plain colour"));
+  EXPECT_EQ(read_mesh(wooden).mesh.vertices[0].colour, (Rgba{255, 51, 0}));
+  scratch("paint.mtl", "newmtl paint\nKd 1.0 0.2 0.0\n");
+  EXPECT_TRUE(read_mesh(wooden).lacks.empty());
+
+  Vehicle vehicle = level_run(10.0, 10.0, 5.0).vehicle;
+  Shape body;
+  body.kind = ShapeKind::kMesh;
+  body.mesh_file = plain;
+  vehicle.shapes = {body, body};
+  EXPECT_EQ(body_mesh(vehicle).lacks.size(), 1U);
+  EXPECT_EQ(body_mesh(vehicle).note, "");
+  EXPECT_THAT(vehicle_notes(vehicle).back(), HasSubstr("gone.mtl"));
+  // Painted as a whole it lacks nothing.
+  for (Shape& shape : vehicle.shapes) shape.rgb = {0.1, 0.2, 0.3};
+  EXPECT_TRUE(body_mesh(vehicle).lacks.empty());
 }
 
 TEST(VehicleMesh, SaysWhyTheBodyIsAPlainBox) {
