@@ -32,7 +32,7 @@ int evaluate(const CommonOptions& options) {
   stop_if_interrupted();
   const DriveResult result = drive_with_progress(job, options);
   stop_if_interrupted();
-  draw_stage(job, size);
+  draw_stage(job, recorded_run(job), size);
   stop_if_interrupted();
   report_stage(job);
   if (options.json) {

@@ -133,7 +133,7 @@ int run_job(const JobOptions& options) {
     runs = runs_of_parts(plan, driven.run);
     write_together(folder, {{kJobFile, report(runs)}});
     stop_if_interrupted();
-    draw_stage(job, size);
+    draw_stage(job, recorded_run(job), size);
     exit_code = exit_code_of(driven.verdict);
     if (!common.json && !common.quiet) fmt::print("{}\n", run_summary(job, driven));
   }

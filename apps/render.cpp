@@ -56,24 +56,6 @@ Job job_of(const CommonOptions& options) {
   return make_job(folder / kScenarioFile, folder, options);
 }
 
-int render_all(const CommonOptions& options) {
-  const std::filesystem::path folder = options.folder;
-  const PictureSize size = picture_size(options);
-  for (const char* needed :
-       {kScenarioFile, kPathFile, kMetricsFile, kRunFile, kFootprintFile, kSegmentsFile}) {
-    if (!std::filesystem::exists(folder / needed)) {
-      throw InputError((folder / needed).string(), "", "",
-                       "no such file: 'headland drive' or 'headland evaluate' writes it");
-    }
-    require_file(folder / needed);
-  }
-  draw_stage(job_of(options), size);
-  std::vector<std::string> files;
-  for (const char* name : kPictures) files.push_back((folder / name).string());
-  tell_written(options, files);
-  return kExitRan;
-}
-
 ViewRequest request_of(const RenderOptions& options) {
   ViewRequest request;
   request.view = options.view.empty() ? "map" : options.view;
@@ -91,16 +73,24 @@ ViewRequest request_of(const RenderOptions& options) {
 
 // However damaged; what is missing is said.
 RecordedRun read_run_and_tell(const Job& job) {
-  RecordedRun recorded = read_recorded_run(job.folder, job.stage.field);
-  for (const std::string& missing : recorded.missing) {
-    fmt::print(stderr, "headland: {}\n", terminal_text(missing));
-  }
+  RecordedRun recorded = recorded_run(job);
+  tell_missing(recorded.missing);
+  const VehicleMesh body = body_mesh(job.stage.vehicle);
+  tell_missing(body.lacks);
   // A vehicle without a mesh is meant to be a box, one with a broken mesh is not.
-  const std::string body = body_mesh(job.stage.vehicle).note;
-  if (!body.empty() && !job.stage.vehicle.shapes.empty()) {
-    fmt::print(stderr, "headland: The vehicle's {}\n", terminal_text(body));
-  }
+  if (!body.note.empty() && !job.stage.vehicle.shapes.empty()) tell_missing({body.note});
   return recorded;
+}
+
+int render_all(const CommonOptions& options) {
+  const std::filesystem::path folder = options.folder;
+  const PictureSize size = picture_size(options);
+  const Job job = job_of(options);
+  draw_stage(job, read_run_and_tell(job), size);
+  std::vector<std::string> files;
+  for (const char* name : kPictures) files.push_back((folder / name).string());
+  tell_written(options, files);
+  return kExitRan;
 }
 
 int render_view(const RenderOptions& options) {
@@ -117,9 +107,9 @@ int render_view(const RenderOptions& options) {
   const Job job = job_of(options.common);
   std::string png;
   {
-    const InterruptAtOnce at_once;
     // What is planned on a grid is there before anything is driven.
     const RecordedRun recorded = request.view == kGridView ? RecordedRun{} : read_run_and_tell(job);
+    const InterruptAtOnce at_once;
     png = png_of(draw_requested(job, recorded, request));
   }
   write_together(file.parent_path().empty() ? "." : file.parent_path(),
@@ -145,12 +135,7 @@ int render_video(const RenderOptions& options) {
   request.quiet = options.common.quiet || options.common.json;
   check_video_request(request);
   const Job job = job_of(options.common);
-  std::optional<RecordedRun> recorded;
-  {
-    const InterruptAtOnce at_once;
-    recorded = read_run_and_tell(job);
-  }
-  video_stage(job, *recorded, request);
+  video_stage(job, read_run_and_tell(job), request);
   tell_written(options.common, {options.video});
   return kExitRan;
 }

@@ -138,19 +138,31 @@ DriveResult drive_stage(const Job& job,
   return result;
 }
 
-void draw_stage(const Job& job, const PictureSize& size) {
+RecordedRun recorded_run(const Job& job) {
+  const InterruptAtOnce at_once;
+  return read_recorded_run(job.folder, job.stage.field);
+}
+
+void draw_stage(const Job& job, const RecordedRun& recorded, const PictureSize& size) {
   const Stage& stage = job.stage;
   std::vector<FileText> pictures;
   {
     const InterruptAtOnce at_once;
-    const Path path = read_path(job.folder / kPathFile, stage.field);
-    const RunRecord run = read_run(job.folder, path);
+    const auto& [path, run, metrics, missing] = recorded;
     const CoverageRaster coverage = coverage_of(job, run);
-    const Verdict verdict =
-        judge(path, run, measure_run(path, run, coverage_figures(coverage)), job.scenario.verdict);
-    const PictureScene scene{
-        stage.field, stage.terrain, stage.vehicle, path,
-        run,         coverage,      &verdict,      job.scenario.path_file.filename().string()};
+    std::optional<Verdict> verdict;
+    if (missing.empty()) {
+      verdict = judge(path, run, measure_run(path, run, coverage_figures(coverage)),
+                      job.scenario.verdict);
+    }
+    const PictureScene scene{stage.field,
+                             stage.terrain,
+                             stage.vehicle,
+                             path,
+                             run,
+                             coverage,
+                             verdict ? &*verdict : nullptr,
+                             job.scenario.path_file.filename().string()};
     pictures = {{kFieldPicture, png_of(draw_field_map(scene, size))},
                 {kViewPicture, png_of(draw_view(scene, size))},
                 {kEnergyPicture, png_of(draw_energy_map(scene, size))}};

@@ -11,6 +11,7 @@
 
 #include "evaluate/metrics.h"
 #include "evaluate/plan_scenario.h"
+#include "evaluate/report_record.h"
 #include "evaluate/scenario.h"
 #include "evaluate/verdict.h"
 #include "render/pictures.h"
@@ -56,7 +57,11 @@ void adopt_plan(const Job& job, const std::filesystem::path& from);
 DriveResult drive_stage(const Job& job,
                         const std::function<bool(const SimulationProgress&)>& progress);
 
-// Draws field.png, view.png and energy.png from what is in the folder; writes them together.
-void draw_stage(const Job& job, const PictureSize& size);
+// What the folder holds of the job's run, however damaged.
+RecordedRun recorded_run(const Job& job);
+
+// Draws field.png, view.png and energy.png of it, with the verdict when the record is whole; writes
+// them together.
+void draw_stage(const Job& job, const RecordedRun& recorded, const PictureSize& size);
 
 }  // namespace headland

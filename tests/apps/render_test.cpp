@@ -56,13 +56,19 @@ TEST_F(RenderTest, DrawsEveryView) {
 
 TEST_F(RenderTest, RefusesWhatItCannotDraw) {
   EXPECT_THAT(refused("--view birdseye"),
-              HasSubstr("--view: 'birdseye': one of map, perspective, chase, elevation, grid, "
-                        "event:worst_slip"));
-  EXPECT_THAT(refused("--view event:party"), HasSubstr("'party': one of worst_slip"));
+              HasSubstr("--view: 'birdseye': unknown view; did you mean "));
+  EXPECT_THAT(
+      refused("--view elevations"),
+      HasSubstr("did you mean 'elevation'? (known: map, perspective, chase, elevation, grid, "
+                "event:worst_slip"));
+  EXPECT_THAT(refused("--view event:colision"),
+              HasSubstr("'colision': unknown event; did you mean 'collision'? (known: worst_slip"));
   EXPECT_THAT(refused("--view event:collision"), HasSubstr("this did not happen in the run"));
   EXPECT_THAT(refused("--view grid"), HasSubstr("the run was not planned on a grid map"));
   EXPECT_THAT(refused("--overlay mood"),
-              HasSubstr("--overlay: 'mood': one of power, energy_per_metre, slip"));
+              HasSubstr("--overlay: 'mood': unknown overlay; did you mean "));
+  EXPECT_THAT(refused("--overlay tracing"),
+              HasSubstr("did you mean 'tracking'? (known: power, energy_per_metre, slip"));
   EXPECT_THAT(refused("--at 99:00:00"), HasSubstr("the run ends after"));
   for (const char* time : {"soon", "1:75", "-5", "1:2:3:4", "1::2", "1e9", "."}) {
     EXPECT_THAT(refused(std::string("--at=") + time),
@@ -82,10 +88,22 @@ TEST_F(RenderTest, DrawsWhatIsLeftOfACutOffRecordAndSaysSo) {
   EXPECT_EQ(cut.exit_code, 0);
   EXPECT_THAT(cut.err, HasSubstr("The time series ends after"));
   EXPECT_EQ(png_size("A/chase.png"), "640x400");
+  // All pictures likewise, without a verdict, which needs the whole.
+  const CommandResult all = headland("render A --size 640x400");
+  EXPECT_EQ(all.exit_code, 0);
+  EXPECT_THAT(all.err, HasSubstr("The time series ends after"));
+  EXPECT_EQ(all.out, "A/field.png\nA/view.png\nA/energy.png\n");
+  for (const char* name : {"A/field.png", "A/view.png", "A/energy.png"}) {
+    EXPECT_EQ(png_size(name), "640x400") << name;
+  }
   // Nothing but the header.
   write("A/run.csv", run.substr(0, run.find('\n') + 1));
   fs::remove(folder_ / "A" / "chase.png");
   EXPECT_EQ(headland("render A --view map --size 640x400 -q").exit_code, 0);
+  const CommandResult still = headland("render A --size 640x400");
+  EXPECT_EQ(still.exit_code, 0) << still.err;
+  EXPECT_THAT(still.err,
+              HasSubstr("The time series is missing (run.csv, line 2: the table has no rows"));
   const CommandResult none = headland("render A --view chase --size 640x400 -q");
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_THAT(none.err, HasSubstr("the run has no moment to be drawn"));

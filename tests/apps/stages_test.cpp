@@ -231,7 +231,7 @@ TEST_F(StagesTest, CtrlCWhileFilmingLeavesNoFile) {
   const std::set<std::string> before = files_in("DIR");
   constexpr useconds_t kIntoTheFilming_us = 700000;
   constexpr double kAtOnce_s = 3.0;  // on a busy machine; so many frames take longer
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const Interruption film =
         interrupt(folder_, {"render", "DIR", "--video", "DIR/run.mp4", "--speed", "1", "-q"},
                   kIntoTheFilming_us, signal);
@@ -320,11 +320,6 @@ TEST_F(StagesTest, ControlCharactersInANameDoNotReachTheTerminal) {
 
 TEST_F(StagesTest, DamagedResultsAreRefusedWithoutNewOnes) {
   ASSERT_LE(headland(kEvaluateTiny + "DIR -q").exit_code, 1);
-  const std::string run = text_of(folder_ / "DIR" / "run.csv");
-  write("DIR/run.csv", run.substr(0, run.find('\n') + 1));
-  const CommandResult render = headland("render DIR --size 640x400");
-  EXPECT_EQ(render.exit_code, 2);
-  EXPECT_EQ(render.err, "headland: DIR/run.csv: line 2: the table has no rows\n");
   std::string path = text_of(folder_ / "DIR" / "path.geojson");
   const std::size_t heading = path.find("\"heading_rad\":[") + 15;
   path.replace(heading, path.find(',', heading) - heading, "1e300");
