@@ -31,6 +31,8 @@ extern "C" void note_interrupt(int signal) {
 void catch_interrupts() {
   std::signal(SIGINT, note_interrupt);
   std::signal(SIGTERM, note_interrupt);
+  // A closed terminal; not when it is to be outlived (nohup).
+  if (std::signal(SIGHUP, note_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   // A file that grows too large is an error of its writing, told like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
 }

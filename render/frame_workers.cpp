@@ -31,8 +31,10 @@ void write_all(int to, std::span<const std::uint8_t> bytes) {
                               const std::function<DrawFrame()>& begin) {
   constexpr std::array<std::uint8_t, 1> kFrame{0};
   constexpr std::array<std::uint8_t, 1> kFault{1};
-  // Ctrl-C is the parent's to hear; when it ends, writing to its pipe ends this process.
+  // Ctrl-C and a closed terminal are the parent's to hear; when it ends, writing to its pipe ends
+  // this process.
   std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGHUP, SIG_IGN);
   std::signal(SIGTERM, SIG_DFL);
   std::signal(SIGPIPE, SIG_DFL);
   // Processes share the cores out, threads of each would only wait for each other.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "evaluate/duration_text.h"
 #include "render/map_base.h"
@@ -21,6 +22,7 @@ struct VideoLayout {
   Page page;
   Box chase;
   Box map;
+  Box legend;  // of the map, below it
   Box strip;
 };
 
@@ -45,7 +47,9 @@ VideoLayout layout_of(const PictureSize& size) {
   const double strip = std::round(page.px(84));
   const double chase = std::round(kChaseShare * size.width);
   layout.chase = {0.0, 0.0, chase, size.height - strip};
-  layout.map = {chase, 0.0, size.width - chase, size.height - strip};
+  const double legend = std::round(page.px(34));
+  layout.map = {chase, 0.0, size.width - chase, size.height - strip - legend};
+  layout.legend = {chase, layout.map.bottom(), layout.map.width, legend};
   layout.strip = {0.0, size.height - strip, static_cast<double>(size.width), strip};
   const double pad = std::round(page.px(10));
   page.main = {layout.map.x + pad, layout.map.y + pad, layout.map.width - 2.0 * pad,
@@ -73,6 +77,26 @@ void draw_gauge(Sheet& sheet, Typeface& typeface, const Page& page, const Box& b
   fill_box(sheet, rail, kStripRail);
   fill_box(sheet, {rail.x, rail.y, rail.width * std::clamp(gauge.share, 0.0, 1.0), rail.height},
            gauge.colour);
+}
+
+// What the map's colours say, side by side.
+void draw_coverage_key(Sheet& sheet, Typeface& typeface, const Page& page, const Box& box) {
+  constexpr std::array<std::pair<const char*, Rgba>, 4> kClasses = {
+      {{"once", colours::kOnce},
+       {"twice", colours::kTwice},
+       {"3+ times", colours::kThrice},
+       {"not yet", colours::kUnworked}}};
+  fill_box(sheet, box, colours::kPaper);
+  const double side = std::round(page.px(15));
+  const double step = box.width / kClasses.size();
+  for (std::size_t i = 0; i < kClasses.size(); ++i) {
+    const Box swatch{std::round(box.x + page.px(12) + static_cast<double>(i) * step),
+                     std::round(box.y + 0.5 * (box.height - side)), side, side};
+    fill_box(sheet, swatch, kClasses[i].second);
+    frame_box(sheet, swatch, std::max(1.0, page.px(1)), colours::kInkSoft);
+    write_text(sheet, typeface, {swatch.right() + page.px(6), swatch.bottom() - page.px(2)},
+               kClasses[i].first, page.text(16), colours::kInk);
+  }
 }
 
 }  // namespace
@@ -177,7 +201,8 @@ struct VideoPainter::State {
     mark_vehicle(map_lines, layout.page, pixel_of(map.camera, now.p_WB.head<2>()), now.yaw_rad);
     Sheet strip;
     draw_strip(strip, now);
-    fill_box(strip, {layout.map.x - 1.0, 0.0, 2.0, layout.map.height}, kStripGround);
+    draw_coverage_key(strip, typeface, layout.page, layout.legend);
+    fill_box(strip, {layout.map.x - 1.0, 0.0, 2.0, layout.strip.y}, kStripGround);
     return frame.draw([&](const Canvas& canvas) {
       paint_world(canvas, typeface, world, shot, *shown, world_lines);
       look_through(map.camera.view_px, canvas);
