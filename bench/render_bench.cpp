@@ -1,12 +1,14 @@
 // What pictures cost: a frame of the machine in the field, its coverage there already, a video, a
-// large map.
+// large map, the report.
 // Usage: render_bench DIR [--json], DIR holding a run ('headland evaluate' writes it). Frames are
 // drawn with 4 samples a pixel, shadows, furrows and coverage.
 #include <fmt/format.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 
 #include "bench/figures.h"
 #include "evaluate/coverage.h"
@@ -96,11 +98,33 @@ double video_frames_per_s(const Loaded& run) {
   return kFrames / bench::seconds_since(start);
 }
 
+// As 'headland report' makes it of the folder.
+double report_s(const std::filesystem::path& folder) {
+  const std::filesystem::path page = std::filesystem::temp_directory_path() /
+                                     fmt::format("headland-render-bench-{}.html", ::getpid());
+  const std::string program = HEADLAND_PROGRAM;
+  const std::string from = folder.string();
+  const auto start = Clock::now();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::execl(program.c_str(), program.c_str(), "report", from.c_str(), "-q", "-o", page.c_str(),
+            nullptr);
+    ::_exit(127);
+  }
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  const double took_s = bench::seconds_since(start);
+  std::filesystem::remove(page);
+  if (status != 0) throw std::runtime_error(program + " report " + from + " failed");
+  return took_s;
+}
+
 int run_bench(const std::filesystem::path& folder, bool as_json) {
   const Loaded run(folder);
   std::vector<bench::Figure> figures;
   // First, while the process is small: it starts others.
   figures.push_back({"video 640x360, two processes", video_frames_per_s(run), "frames/s", ">= 20"});
+  figures.push_back({"report", report_s(folder), "s", "< 10"});
   figures.push_back(
       {"frame 1280x720, 4x MSAA, shadows, coverage (median)", frame_ms(run), "ms", "<= 120"});
   const auto start = Clock::now();
