@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <span>
+#include <vector>
 
 #include "render/grid_panel.h"
 #include "render/plan_sheet.h"
@@ -33,11 +35,24 @@ void write_ticks(Sheet& sheet, Typeface& typeface, const GridPanel& panel, TextS
   }
 }
 
-constexpr std::array kGridEntries{PlanLegendEntry{colours::kFirstCell, "start"},
-                                  PlanLegendEntry{colours::kLastCell, "end"},
-                                  PlanLegendEntry{colours::kCellTwice, "visited twice"},
-                                  PlanLegendEntry{colours::kCellOften, "more often"},
-                                  PlanLegendEntry{colours::kBlockedCell, "blocked"}};
+// Jumps, which sound plans do not have, where there are any.
+std::vector<PlanLegendEntry> legend_of(std::span<const GridFigure> figures) {
+  std::vector<PlanLegendEntry> legend = {{colours::kFirstCell, "start"},
+                                         {colours::kLastCell, "end"},
+                                         {colours::kCellTwice, "visited twice"},
+                                         {colours::kCellOften, "more often"},
+                                         {colours::kBlockedCell, "blocked"}};
+  const auto jumps = [](const GridCell& from, const GridCell& to) {
+    return std::abs(from.column - to.column) + std::abs(from.row - to.row) > 1;
+  };
+  if (std::any_of(figures.begin(), figures.end(), [&](const GridFigure& figure) {
+        return std::adjacent_find(figure.path.begin(), figure.path.end(), jumps) !=
+               figure.path.end();
+      })) {
+    legend.push_back({colours::kGridJump, "jump, not to be driven"});
+  }
+  return legend;
+}
 
 // Whole pixels where cells have several: borders stay sharp.
 double cell_size(double room_px, int cells) {
@@ -55,7 +70,8 @@ Image draw_grid_plan(const GridMap& map, const GridFigure& figure) {
     write_ticks(sheet, typeface, panel, kPageText);
   };
   return draw_plan_page({figure.title, figure.lines, draw},
-                        {map.columns * cell_px, map.rows * cell_px}, kGridEntries);
+                        {map.columns * cell_px, map.rows * cell_px},
+                        legend_of(std::span(&figure, 1)));
 }
 
 Image draw_grid_sheet(const GridMap& map, std::string_view heading,
@@ -72,7 +88,7 @@ Image draw_grid_sheet(const GridMap& map, std::string_view heading,
          }});
   }
   return draw_plan_sheet(heading, grid, {map.columns * cell_px, map.rows * cell_px}, panels,
-                         kGridEntries);
+                         legend_of(figures));
 }
 
 }  // namespace headland

@@ -70,15 +70,15 @@ GltfNode obstacles_node(const Standing& all) {
 
 bool is_pass(PathKind kind) { return kind == PathKind::kSwath || kind == PathKind::kHeadlandPass; }
 
-// Every fourth point of the path and all ends, on the ground.
+// On the ground: of passes, which are nearly straight, every fourth point of the path and all ends.
 std::vector<GltfLine> planned_lines(const PictureScene& scene, const Relief& relief, bool passes) {
-  constexpr std::size_t kEvery = 4;
+  const std::size_t every = passes ? 4 : 1;
   std::vector<GltfLine> lines;
   for (const PathSegment& segment : scene.path.segments) {
     if (is_pass(segment.kind) != passes) continue;
     GltfLine& line = lines.emplace_back();
     for (std::size_t i = 0; i < segment.points.size(); ++i) {
-      if (i % kEvery != 0 && i + 1 != segment.points.size()) continue;
+      if (i % every != 0 && i + 1 != segment.points.size()) continue;
       line.points.push_back(on_ground(scene.terrain, relief, segment.points[i].p_W) +
                             Point3(0.0, 0.0, kLift_m));
     }

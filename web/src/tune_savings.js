@@ -38,6 +38,7 @@ function bars(reference, rows) {
         ...axis,
         min: Math.min(nice(Math.min(...ends), false), 0),
         max: Math.max(nice(Math.max(...ends), true), 5),
+        axisLabel: { ...axis.axisLabel, showMinLabel: false, showMaxLabel: false },
         name: 'energy saved, %',
         nameLocation: 'middle',
         nameGap: 30,
