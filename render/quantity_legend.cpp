@@ -110,7 +110,7 @@ void draw_lying_scale(Sheet& sheet, Typeface& typeface, const Page& page, const 
   const QuantityEntry& entry = quantity_entry(colours.quantity);
   const TextStyle style = page.text(14);
   const double line = std::max(1.0, std::round(page.px(1)));
-  const Box bar{box_px.x, std::round(box_px.bottom() - page.px(34)), box_px.width,
+  const Box bar{box_px.x, std::round(box_px.bottom() - page.px(41)), box_px.width,
                 std::round(page.px(12))};
   write_text(sheet, typeface, {bar.x, bar.y - page.px(8)},
              fmt::format("{} [{}]", entry.title, entry.unit), style, colours::kPaper);
