@@ -1,6 +1,7 @@
 #include "apps/render_view.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -108,7 +109,8 @@ MomentScene::MomentScene(const Job& job, const RecordedRun& recorded,
             coverage,
             nullptr,
             job.scenario.path_file.filename().string(),
-            moment_s} {}
+            moment_s,
+            fmt::format("{}", fmt::join(recorded.missing, "; "))} {}
 
 Image draw_requested(const Job& job, const RecordedRun& recorded, const ViewRequest& request) {
   const bool of_event = request.view.starts_with(kEventPrefix);

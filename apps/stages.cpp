@@ -1,6 +1,7 @@
 #include "apps/stages.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <system_error>
 
@@ -162,7 +163,9 @@ void draw_stage(const Job& job, const RecordedRun& recorded, const PictureSize& 
                              run,
                              coverage,
                              verdict ? &*verdict : nullptr,
-                             job.scenario.path_file.filename().string()};
+                             job.scenario.path_file.filename().string(),
+                             std::nullopt,
+                             fmt::format("{}", fmt::join(missing, "; "))};
     pictures = {{kFieldPicture, png_of(draw_field_map(scene, size))},
                 {kViewPicture, png_of(draw_view(scene, size))},
                 {kEnergyPicture, png_of(draw_energy_map(scene, size))}};

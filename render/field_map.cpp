@@ -88,9 +88,14 @@ void legend_reasons(Legend& legend, const PictureScene& scene) {
   legend_gap(legend, 10);
 }
 
-// Under way it is no fault that ground is left.
+// Under way it is no fault that ground is left, nor is it known to be one without the record.
 Rgba missed_colour(const PictureScene& scene) {
-  return scene.moment_s ? colours::kUnworked : colours::kMissed;
+  return scene.moment_s || !scene.missing.empty() ? colours::kUnworked : colours::kMissed;
+}
+
+std::string_view missed_label(const PictureScene& scene) {
+  if (scene.moment_s) return "Not yet";
+  return scene.missing.empty() ? "Missed" : "Not on record";
 }
 
 void legend_coverage(Legend& legend, const PictureScene& scene) {
@@ -105,7 +110,7 @@ void legend_coverage(Legend& legend, const PictureScene& scene) {
   legend_swatch(legend, colours::kOnce, "Once", figure(0));
   legend_swatch(legend, colours::kTwice, "Twice", figure(1));
   legend_swatch(legend, colours::kThrice, "3+ times", figure(2));
-  legend_swatch(legend, missed_colour(scene), scene.moment_s ? "Not yet" : "Missed", figure(3));
+  legend_swatch(legend, missed_colour(scene), missed_label(scene), figure(3));
   if (areas.outside_m2 > 0.0) {
     legend_note(legend, fmt::format("{} worked outside the field.", area_text(areas.outside_m2)));
   }

@@ -112,6 +112,12 @@ void write_title(Sheet& sheet, Typeface& typeface, const Page& page, const Pictu
   write_text(sheet, typeface, {x, page.px(76)}, fitted_text(typeface, line, body, room), body,
              colours::kInkSoft);
   if (scene.verdict != nullptr) write_verdict(sheet, typeface, page, *scene.verdict);
+  if (!scene.missing.empty()) {
+    const TextStyle bold = page.text(kBody, true);
+    write_text(sheet, typeface, {x, page.px(100)},
+               fitted_text(typeface, "Record not whole: " + scene.missing, bold, room), bold,
+               colours::kWarn);
+  }
 }
 
 void legend_heading(Legend& legend, std::string_view text) {

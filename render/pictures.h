@@ -32,6 +32,8 @@ struct PictureScene {
   // The moment shown: `run` and `coverage` then reach only that far (render/run_moment.h). None:
   // all.
   std::optional<double> moment_s{};
+  // What a damaged record lacks, for the title. Ground that is not worked there may have been.
+  std::string missing{};
 };
 
 // Pixels, at least 240 x 240; the largest size depends on OpenGL and memory (8192 x 8192 works).

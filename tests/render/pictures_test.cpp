@@ -89,6 +89,26 @@ TEST(FieldMap, ShowsGroundInTheColoursOfItsLegend) {
   }
 }
 
+TEST(FieldMap, CallsNothingMissedThatARecordMayHaveLost) {
+  const MadeRun made = level_run(100.0, 60.0, 20.0);
+  PictureScene scene = made.scene();
+  scene.missing = "Ground covered is known in part at most";
+  const Image image = draw_field_map(scene, kSize);
+  const Page page = page_of(kSize);
+  const MapCamera camera = map_view(scene, page).camera;
+  EXPECT_LE(difference(map_pixel(image, camera, 50.0, 30.0), colours::kUnworked), kColourRounding);
+  // The title says so, which one of a whole record does not.
+  const auto warned = [&](const Image& drawn) {
+    int pixels = 0;
+    for (double x = page.main.x; x < page.column.right(); ++x) {
+      for (double y = 0.0; y < page.main.y; ++y) pixels += pixel(drawn, x, y) == colours::kWarn;
+    }
+    return pixels;
+  };
+  EXPECT_GT(warned(image), 30);
+  EXPECT_EQ(warned(draw_field_map(made.scene(), kSize)), 0);
+}
+
 TEST(FieldMap, KeepsTheAspectAndDrawsTheBoundaryInItsPlace) {
   const MadeRun made = level_run(100.0, 60.0, 20.0);
   const Image image = draw_field_map(made.scene(), kSize);
