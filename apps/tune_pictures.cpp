@@ -98,8 +98,7 @@ void add_plans(const Tuning& tuning, const TuneResult& result, const std::string
   std::vector<GridFigure> figures;
   std::optional<GridMap> map;
   for (const PlanRun& run : result.held_out_plans) {
-    const bool control = run.method.starts_with(methods::kShuffled);
-    if (run.block != block || !run.fault.empty() || control) continue;
+    if (run.block != block || !run.fault.empty()) continue;
     const Scenario scenario = scenario_at(sweep, run.place);
     const Stage stage = load_stage(scenario);
     figures.push_back(figure_of(run, plan_scenario(scenario, stage, interrupted)));

@@ -87,6 +87,15 @@ std::string methods_table(const TuneResult& result) {
   return aligned(rows);
 }
 
+std::string control_text(const TuningControl& control) {
+  if (control.fits == 0) return "";
+  return fmt::format(
+      "control: of {} fits to shuffled energies {} came to no weights, {} to plans as good as "
+      "those "
+      "of {}, p {:.2g}\n",
+      control.fits, control.without_weights, control.as_good, control.fitted, control.p);
+}
+
 }  // namespace
 
 std::string tune_summary(const Tuning& tuning, const TuneResult& result) {
@@ -94,7 +103,7 @@ std::string tune_summary(const Tuning& tuning, const TuneResult& result) {
                      tally_text("training", result.training);
   if (result.search.runs > 0) text += tally_text("search", result.search);
   text += tally_text("held out", result.held_out) + "\n" + terms_table(result) + "\n" +
-          prediction_table(result) + "\n" + methods_table(result);
+          prediction_table(result) + "\n" + methods_table(result) + control_text(result.control);
   for (const std::string& note : result.notes) text += terminal_text(note) + "\n";
   return text;
 }

@@ -33,7 +33,7 @@ struct Tuning {
   int perturbed = 4;    // further plans, made of those
   int evaluations = 0;  // of the search by driven energy, for each form with weights
   int bootstrap_draws = 1000;
-  int shuffles = 3;  // fits to shuffled energies
+  int shuffles = 19;  // fits to shuffled energies
   std::uint64_t seed = 1;
 };
 

@@ -83,6 +83,15 @@ Json figures_json(const MethodFigures& figures) {
   return json;
 }
 
+Json control_json(const TuningControl& control) {
+  if (control.fits == 0) return nullptr;
+  return {{"fitted", control.fitted},
+          {"fits", control.fits},
+          {"without_weights", control.without_weights},
+          {"as_good", control.as_good},
+          {"p", control.p}};
+}
+
 Json plan_json(const PlanRun& plan, const std::vector<FormReport>& forms) {
   Json json = {{"block", plan.block}, {"method", plan.method}};
   if (!plan.fault.empty()) {
@@ -129,6 +138,7 @@ Json tuning_json(const Tuning& tuning, const TuneResult& result, std::string_vie
   for (const MethodFigures& figures : result.figures) {
     json["methods"].push_back(figures_json(figures));
   }
+  json["control"] = control_json(result.control);
   json["held_out_plans"] = Json::array();
   for (const PlanRun& plan : result.held_out_plans) {
     json["held_out_plans"].push_back(plan_json(plan, result.forms));

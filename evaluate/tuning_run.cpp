@@ -149,6 +149,8 @@ std::string_view author_of(GridObjective form) {
   return form == GridObjective::kWeighted ? "Wu et al." : "Wang et al.";
 }
 
+std::string fitted_label(GridObjective form) { return fmt::format("{} fitted", author_of(form)); }
+
 void add_tuned_methods(TuningUnderWay& running) {
   TuneResult& result = running.result;
   const auto add = [&](const std::string& label, const GridCost& cost) {
@@ -158,16 +160,15 @@ void add_tuned_methods(TuningUnderWay& running) {
   for (const FormReport& report : result.forms) {
     const GridObjective form = report.fit.form;
     if (form != GridObjective::kWeighted && form != GridObjective::kTractor) continue;
-    const std::string fitted_label = fmt::format("{} fitted", author_of(form));
     const auto fitted = fitted_cost(report.fit);
     if (fitted) {
-      add(fitted_label, *fitted);
+      add(fitted_label(form), *fitted);
     } else {
-      result.notes.push_back(fitted_label + ": left out, all weights are 0");
+      result.notes.push_back(fitted_label(form) + ": left out, all weights are 0");
     }
     if (fitted && result.best_label.empty()) {
       result.best = *fitted;
-      result.best_label = fitted_label;
+      result.best_label = fitted_label(form);
     }
     if (!report.search) continue;
     const std::string label = fmt::format("{} searched", author_of(form));
@@ -188,16 +189,19 @@ void add_controls(TuningUnderWay& running) {
     return fitted_cost(r.fit).has_value();
   });
   if (form == result.forms.end()) return;
+  TuningControl& control = result.control;
+  control.fitted = fitted_label(form->fit.form);
   for (int i = 1; i <= tuning.shuffles; ++i) {
     const std::string label = fmt::format("{} {}", methods::kShuffled, i);
     const EnergyFit fit = fit_energy(
         form->fit.form,
         with_shuffled_energies(result.training_plans, tuning.seed + static_cast<std::uint64_t>(i)),
         tuning.bootstrap_draws, tuning.seed, tuning.file.string());
+    ++control.fits;
     if (const auto cost = fitted_cost(fit)) {
       result.methods.push_back({label, planner_with(tuning, *cost)});
     } else {
-      result.notes.push_back(label + ": all weights came out as 0: nothing to plan by");
+      ++control.without_weights;
     }
   }
 }
@@ -224,17 +228,20 @@ void add_methods(TuningUnderWay& running) {
 void prove(TuningUnderWay& running) {
   const Tuning& tuning = running.tuning;
   TuneResult& result = running.result;
-  const std::vector<PlanRun> plans =
+  result.held_out_plans =
       drive(running, "held-out drives",
             sweep_by(tuning.held_out, tuning.name + ": held out", result.methods), result.held_out);
-  result.held_out_plans = plans;
+  judge_control(result.held_out_plans, result.control);
+  const std::vector<PlanRun> control = take_control(result.held_out_plans);
   std::vector<std::string> references;
   for (const std::string_view label :
        {methods::kRows, methods::kLength, methods::kWu, methods::kWang}) {
     references.emplace_back(label);
   }
+  std::vector<PlanRun> plans = result.held_out_plans;
+  plans.insert(plans.end(), control.begin(), control.end());
   result.figures = method_figures(plans, references);
-  const std::vector<PlanRun> fitting = fit_plans(plans);
+  const std::vector<PlanRun> fitting = fit_plans(result.held_out_plans);
   for (FormReport& report : result.forms) {
     report.held_out_printed =
         prediction_of(fitting, energies(report.fit, fitting, printed_energy_wh));

@@ -11,6 +11,7 @@
 #include "evaluate/energy_fit.h"
 #include "evaluate/method_savings.h"
 #include "evaluate/tuning.h"
+#include "evaluate/tuning_control.h"
 #include "evaluate/weight_search.h"
 
 namespace headland {
@@ -22,7 +23,8 @@ inline constexpr std::string_view kLength = "length";
 inline constexpr std::string_view kWu = "Wu et al. weights";
 inline constexpr std::string_view kWang = "Wang et al. weights";
 inline constexpr std::string_view kMeasured = "measured costs";
-inline constexpr std::string_view kShuffled = "shuffled";  // and a number: the control
+inline constexpr std::string_view kShuffled =
+    "shuffled";  // all of the control; one: and its number
 }  // namespace methods
 
 // One form: its fit, and what it tells of training and held-out plans by printed and by fitted
@@ -55,10 +57,11 @@ struct TuneResult {
   std::vector<FormReport> forms;
   std::vector<std::string> notes;       // what was left out, and why
   std::vector<PlanRun> training_plans;  // with figures that can be fitted
-  std::vector<PlanRun> held_out_plans;
-  std::vector<TunedMethod> methods;    // on held-out fields
-  std::vector<MethodFigures> figures;  // by method
-  GridCost best;                       // the tuned weights that did best on training fields
+  std::vector<PlanRun> held_out_plans;  // without those of the control
+  std::vector<TunedMethod> methods;     // on held-out fields
+  std::vector<MethodFigures> figures;   // by method, the control's fits as one, last
+  TuningControl control;
+  GridCost best;  // the tuned weights that did best on training fields
   std::string best_label;
 };
 

@@ -3,7 +3,6 @@ import { axis, chart, tooltip } from './charts.js';
 import { el, section, table } from './dom.js';
 import { fixed, percent, short } from './format.js';
 import { softInk } from './palette.js';
-import { methodName } from './tune_savings.js';
 
 export const formNames = {
   weighted: 'Wu et al. (weighted)',
@@ -32,7 +31,7 @@ function scatter({ form, held_out: heldOut }, plans, most) {
           formatter: ({ seriesIndex, dataIndex }) => {
             if (seriesIndex !== 0) return '';
             const { plan, told } = points[dataIndex];
-            return `${plan.block}<br>${methodName(plan.method)}<br>driven ${fixed(plan.energy_wh, 1)} Wh, told ${fixed(told, 1)} Wh`;
+            return `${plan.block}<br>${plan.method}<br>driven ${fixed(plan.energy_wh, 1)} Wh, told ${fixed(told, 1)} Wh`;
           },
         },
         grid: { left: 58, right: 16, top: 8, bottom: 46 },

@@ -33,20 +33,16 @@ function chance({ blocks, p, least_p: least }) {
   return `It may be chance (p ${pText(p)}).`;
 }
 
-function controlWords(methods) {
-  const found = methods
-    .filter(({ method }) => isControl(method))
-    .map((figures) => energySaving(figures, boustrophedon))
-    .filter((saving) => saving?.mean_ratio != null);
-  if (!found.length) return null;
-  const most = Math.max(...found.map((saving) => saving.mean_ratio));
-  return most > 0
-    ? `Weights fitted to shuffled energies, the control, save up to ${ratioText(most)} too: so much is saved by chance.`
-    : `Weights fitted to shuffled energies, the control, save nothing (${ratioText(most)}).`;
+function controlWords(control) {
+  if (!control) return null;
+  const { fitted, fits, as_good: asGood, p } = control;
+  const words = `The control: of ${count(fits, 'fit')} to shuffled energies, ${asGood} ${asGood === 1 ? 'makes' : 'make'} plans as good as those of ${fitted} (p ${pText(p)})`;
+  if (p <= 0.05) return `${words}: what fitting found is in the energies.`;
+  return `${words}: what fitted weights save cannot be told from chance.`;
 }
 
 // The method that saves most over boustrophedon, in one sentence.
-function verdict({ methods }) {
+function verdict({ methods, control }) {
   const found = methods
     .filter(({ method }) => method !== boustrophedon && !isControl(method))
     .map((figures) => ({ figures, saving: energySaving(figures, boustrophedon) }))
@@ -71,7 +67,7 @@ function verdict({ methods }) {
       'div',
       {},
       el('p', { class: 'sentence' }, sentence),
-      el('p', {}, [chance(saving), controlWords(methods)].filter(Boolean).join(' ')),
+      el('p', {}, [chance(saving), controlWords(control)].filter(Boolean).join(' ')),
     ),
   );
 }

@@ -3,7 +3,6 @@ import { axis, categories, chart, textStyle, tooltip } from './charts.js';
 import { el, figures, section, table } from './dom.js';
 import { fixed, percent } from './format.js';
 import { ink, kinds as kindColours } from './palette.js';
-import { isControl, methodName } from './tune_savings.js';
 
 const plurals = {
   swath: 'swaths',
@@ -62,7 +61,7 @@ function stacked(rows) {
   const words = rows
     .map(
       ({ method, kinds: own }) =>
-        `${methodName(method)}: ${kinds.map((kind) => `${kind} ${fixed(own[kind], 1)}`).join(', ')}`,
+        `${method}: ${kinds.map((kind) => `${kind} ${fixed(own[kind], 1)}`).join(', ')}`,
     )
     .join('; ');
   return chart(
@@ -85,7 +84,7 @@ function stacked(rows) {
       grid: { left: width < 500 ? 132 : 200, right: 24, top: width < 500 ? 52 : 30, bottom: 46 },
       xAxis: { type: 'value', ...axis, name: 'Wh', nameLocation: 'middle', nameGap: 30 },
       yAxis: categories(
-        order.map(({ method }) => methodName(method)),
+        order.map(({ method }) => method),
         width,
       ),
       series: [
@@ -114,7 +113,7 @@ function stacked(rows) {
 // Between the plan that took least and boustrophedon: which movements make the difference.
 function why(rows) {
   const reference = rows.find(({ method }) => method === 'boustrophedon');
-  const others = rows.filter(({ method }) => method !== 'boustrophedon' && !isControl(method));
+  const others = rows.filter(({ method }) => method !== 'boustrophedon');
   if (!reference || !others.length) return null;
   const best = others.reduce((a, b) => (b.energy < a.energy ? b : a));
   const parts = usedKinds(rows)
@@ -152,7 +151,7 @@ function placeTables(plans, kinds) {
     const rows = own.map((plan) =>
       plan.why_not == null
         ? [
-            methodName(plan.method),
+            plan.method,
             fixed(plan.energy_wh, 1),
             ...kinds.map((kind) => fixed(plan.predicted_kind_wh?.[kind] ?? NaN, 1)),
             String(plan.turns),
@@ -160,15 +159,7 @@ function placeTables(plans, kinds) {
             String(plan.repeats),
             percent(plan.coverage_ratio),
           ]
-        : [
-            methodName(plan.method),
-            `none: ${plan.why_not}`,
-            ...kinds.map(() => '–'),
-            '–',
-            '–',
-            '–',
-            '–',
-          ],
+        : [plan.method, `none: ${plan.why_not}`, ...kinds.map(() => '–'), '–', '–', '–', '–'],
     );
     return el(
       'details',
@@ -202,7 +193,7 @@ export function plans({ held_out_plans: all }, pictures) {
         'Plans of each method, means over the places',
         columnsOf(kinds, 'Planned by'),
         rows.map((row) => [
-          methodName(row.method),
+          row.method,
           fixed(row.energy, 1),
           ...kinds.map((kind) => fixed(row.kinds[kind], 1)),
           fixed(row.turns, 1),

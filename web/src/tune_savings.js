@@ -5,8 +5,8 @@ import { duration, fixed, percent, short } from './format.js';
 import { softInk } from './palette.js';
 
 export const boustrophedon = 'boustrophedon';
-export const isControl = (method) => method.startsWith('shuffled');
-export const methodName = (method) => (isControl(method) ? `control: ${method} energies` : method);
+export const isControl = (method) => method === 'shuffled';
+const methodName = (method) => (isControl(method) ? 'control: shuffled energies' : method);
 
 export const ratioText = (ratio) => percent(ratio).replace('-', '−');
 export const pText = (p) => (p == null ? '–' : p < 0.001 ? '< 0.001' : fixed(p, 3));
