@@ -131,6 +131,13 @@ std::string summary_of(const Audit& audit, const AuditInput& input) {
       "  covered {:.2f} % of {:.3f} ha, overlap {:.2f} %, outside {:.2f} %; {} patches missed\n",
       share(coverage.covered_m2), 1e-4 * coverage.workable_m2, share(coverage.overlap_m2),
       share(coverage.outside_m2), audit.missed.size());
+  const DrivenOverWorked& over = audit.over_worked;
+  text += fmt::format("  {:.1f} m over worked ground, implement up", over.length_m);
+  if (over.stretches > 0) {
+    text += fmt::format(", in {} places, the longest from x {:.1f} m, y {:.1f} m", over.stretches,
+                        over.p_W.x(), over.p_W.y());
+  }
+  text += "\n";
   const Verdict verdict = audit_verdict(audit);
   text += fmt::format("{}\n", passes(audit) ? "PASS: nothing is in the way of driving it" : "FAIL");
   for (const std::string& note : input.notes) text += "note: " + terminal_text(note) + "\n";

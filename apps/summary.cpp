@@ -12,6 +12,8 @@
 #include "evaluate/duration_text.h"
 #include "evaluate/results.h"
 #include "planner/free_space.h"
+#include "planner/headland_edges.h"
+#include "planner/worked_rows.h"
 #include "terrains/geo_frame.h"
 #include "vehicle_models/vehicle_figures.h"
 
@@ -229,6 +231,10 @@ std::string path_notes(const Path& path) {
     }
     text += fmt::format("  pass left out: {}\n", path.left_out[i].why);
   }
+  if (path.abrupt_turns > 0) {
+    text += fmt::format("  turns whose curvature jumps, as no continuous one fits: {}\n",
+                        path.abrupt_turns);
+  }
   const TightestPlace& tightest = path.tightest;
   if (std::isfinite(tightest.clearance_m) && path.violations.empty()) {
     const double kept_m = std::max(0.0, tightest.clearance_m);
@@ -260,12 +266,33 @@ std::string grid_notes(const PlanResult& result) {
   return text;
 }
 
+std::string headland_rows(const Plan& plan) {
+  std::string text = row("headland", fmt::format("{:.2f} m", plan.headland_width_m),
+                         plan.headland_edges.empty() ? "" : "where it is widest");
+  for (const PlannedEdge& edge : plan.headland_edges) {
+    text += row("  " + edge_name(edge.hole, edge.edge), fmt::format("{:.2f} m", edge.width_m),
+                fmt::format("{} pass{}, from ({:.1f}, {:.1f}) to ({:.1f}, {:.1f}) m", edge.passes,
+                            edge.passes == 1 ? "" : "es", edge.from_W.x(), edge.from_W.y(),
+                            edge.to_W.x(), edge.to_W.y()));
+  }
+  return text;
+}
+
+std::string over_worked_row(const Job& job, const PlanResult& result) {
+  const DrivenOverWorked over = driven_over_worked(job.stage.field, job.stage.vehicle, result.path);
+  if (over.stretches == 0) return "";
+  return row(
+      "over worked rows", fmt::format("{:.0f} m", over.length_m),
+      fmt::format("implement up, in {} place{}, the longest from x {:.1f}, y {:.1f} m",
+                  over.stretches, over.stretches == 1 ? "" : "s", over.p_W.x(), over.p_W.y()));
+}
+
 std::string plan_summary(const Job& job, const PlanResult& result) {
   std::string text =
       headline(job) + "\n" + row("planner", result.plan.planner) + grid_rows(result) +
       row("swath direction", fmt::format("{:.1f} deg", degrees(result.plan.swath_direction_rad)),
           "counter-clockwise from east") +
-      row("headland", fmt::format("{:.2f} m", result.plan.headland_width_m)) +
+      headland_rows(result.plan) +
       row("path", fmt::format("{:.0f} m", length_m(result.path)),
           fmt::format("{:.0f} m of it in reverse", reverse_length_m(result.path)));
   text += predicted_row(result);
@@ -275,8 +302,8 @@ std::string plan_summary(const Job& job, const PlanResult& result) {
     text += row(fmt::format("{} x {}", count, path_kind_name(kind)),
                 fmt::format("{:.0f} m", length_of_m(result.path, kind)));
   }
-  text += path_notes(result.path) + grid_notes(result) + notes_text(job.stage.notes) +
-          notes_text(result.notes);
+  text += over_worked_row(job, result) + path_notes(result.path) + grid_notes(result) +
+          notes_text(job.stage.notes) + notes_text(result.notes);
   for (const PathViolation& violation : result.path.violations) {
     text += fmt::format("  does not fit at x {:.1f}, y {:.1f} m: {}\n", violation.p_W.x(),
                         violation.p_W.y(), violation.what);
@@ -293,6 +320,14 @@ Json plan_summary_json(const Job& job, const PlanResult& result) {
   json["planner"] = result.plan.planner;
   json["swath_direction_rad"] = result.plan.swath_direction_rad;
   json["headland_width_m"] = result.plan.headland_width_m;
+  for (const PlannedEdge& edge : result.plan.headland_edges) {
+    json["headland_edges"].push_back({{"hole", edge.hole},
+                                      {"edge", edge.edge},
+                                      {"passes", edge.passes},
+                                      {"width_m", edge.width_m},
+                                      {"from_W", {edge.from_W.x(), edge.from_W.y()}},
+                                      {"to_W", {edge.to_W.x(), edge.to_W.y()}}});
+  }
   if (result.grid_plan) {
     json["grid"] = {{"repeats", result.grid_plan->counts.repeats},
                     {"turns", result.grid_plan->counts.turns},
@@ -324,6 +359,9 @@ Json plan_summary_json(const Job& job, const PlanResult& result) {
     predicted["cycles"] = result.predicted->cycles;
     predicted["cusps"] = result.predicted->cusps;
   }
+  const DrivenOverWorked over = driven_over_worked(job.stage.field, job.stage.vehicle, result.path);
+  json["over_worked_rows_m"] = over.length_m;
+  json["abrupt_turns"] = result.path.abrupt_turns;
   json["cut_back_m"] = result.path.cut_back_m;
   json["left_out"] = Json::array();
   for (const LeftOutPass& pass : result.path.left_out) {

@@ -223,6 +223,15 @@ std::vector<FootprintSample> footprints_of(const Vehicle& vehicle,
   return footprints;
 }
 
+std::vector<WorkState> work_states(const std::vector<State>& states) {
+  std::vector<WorkState> work;
+  for (const State& state : states) {
+    work.push_back(
+        {state.pose, state.step_m, state.down ? WorkState::Does::kWork : WorkState::Does::kDrive});
+  }
+  return work;
+}
+
 }  // namespace
 
 std::string_view audit_fault_name(AuditFault fault) {
@@ -264,6 +273,7 @@ Audit audit_path(const Field& field, const Vehicle& vehicle, const std::vector<P
   audit.states = states.size();
   find_overruns(field, vehicle, states, findings);
   gather(std::move(findings), audit);
+  audit.over_worked = driven_over_worked(field, vehicle, work_states(states));
   audit.raster = measure_coverage(field, footprints_of(vehicle, states),
                                   vehicle.implement.working_width_m, coverage_cell_m);
   audit.coverage = coverage_figures(audit.raster);

@@ -11,6 +11,7 @@
 #include "evaluate/coverage.h"
 #include "evaluate/ground_patches.h"
 #include "planner/path.h"
+#include "planner/worked_rows.h"
 #include "terrains/field.h"
 #include "terrains/track.h"
 #include "vehicle_models/vehicle.h"
@@ -54,6 +55,7 @@ struct Audit {
   int gear_changes = 0;
   std::array<AuditTotals, kEveryAuditFault.size()> totals;  // by AuditFault
   std::vector<AuditPlace> places;                           // in the path's order
+  DrivenOverWorked over_worked;  // any ground worked before, swath or headland
   CoverageRaster raster;
   CoverageFigures coverage;  // of the path as drawn
   // Of at least kLeastPatch_m2, largest first.

@@ -73,6 +73,7 @@ Json audit_json(const Audit& audit, const Field& field, const Vehicle& vehicle,
             {"length_m", audit.length_m},
             {"working_length_m", audit.working_length_m},
             {"reverse_length_m", audit.reverse_length_m},
+            {"over_worked_m", audit.over_worked.length_m},
             {"gear_changes", audit.gear_changes},
             {"states", audit.states}};
   for (const AuditFault fault : kEveryAuditFault) {

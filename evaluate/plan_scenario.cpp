@@ -29,7 +29,12 @@ PlannedPath planned(const Scenario& scenario, const Stage& stage,
     if (refused.where == "working_width_m") {
       throw InputError(source, "implement.working_width_m", refused.value, refused.allowed);
     }
-    if (refused.where != "ab_line" && refused.where != "swath_objective") throw;
+    if (refused.where == "continuous_turns") {
+      throw InputError(source, "path.continuous_turns", refused.value, refused.allowed);
+    }
+    const bool of_scenario = refused.where == "ab_line" || refused.where == "swath_objective" ||
+                             refused.where.starts_with("headland_edges");
+    if (!of_scenario) throw;
     throw InputError(source, "planner." + refused.where, refused.value, refused.allowed);
   }
 }

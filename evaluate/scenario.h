@@ -26,7 +26,8 @@ struct PlannerChoice {
   std::optional<GridPlanning> grid;  // of planners on grid maps alone
   // A and B of a guidance line, in the CRS of the field's other points; planners on fields alone.
   std::optional<std::array<Eigen::Vector2d, 2>> ab_line;
-  std::filesystem::path cost_file;  // measured costs to plan by; empty: none
+  std::vector<EdgeHeadland> headland_edges;  // places in the same CRS
+  std::filesystem::path cost_file;           // measured costs to plan by; empty: none
   // Measured costs that only tell the path's energy; empty: those planned by, if any.
   std::filesystem::path predict_file;
   std::string cost_place;  // lines and keys of these, for messages; empty: given otherwise

@@ -11,6 +11,7 @@
 #include "evaluate/yaml_section.h"
 #include "planner/grid_drivable.h"
 #include "planner/grid_planners.h"
+#include "planner/headland_edges.h"
 #include "planner/planners.h"
 #include "terrains/grid_field.h"
 #include "terrains/input_error.h"
@@ -114,6 +115,8 @@ std::string read_vehicle(const YamlSection& top, const fs::path& folder) {
   return *name;
 }
 
+constexpr double kWidestHeadland_m = 1000.0;
+
 std::optional<std::array<Eigen::Vector2d, 2>> read_ab_line(const YamlSection& section) {
   const auto points = read_points(section, "ab_line");
   if (!points) return std::nullopt;
@@ -127,6 +130,34 @@ std::optional<std::array<Eigen::Vector2d, 2>> read_ab_line(const YamlSection& se
                      fmt::format("{}, {}", point.x(), point.y()), "not a finite coordinate");
   }
   return std::array{points->front(), points->back()};
+}
+
+EdgeHeadland read_edge_headland(const YamlSection& section) {
+  refuse_unknown_keys(section, {"at", "hole", "edge", "passes", "width_m"});
+  EdgeHeadland edge;
+  edge.at_W = read_point(section, "at");
+  edge.hole = read_count(section, "hole", 1, 100000).value_or(0);
+  edge.edge = read_count(section, "edge", 1, 100000).value_or(0);
+  const bool by_number = edge.hole > 0 || edge.edge > 0;
+  if (edge.at_W.has_value() == by_number) {
+    throw InputError(section.source, place_of_itself(section), "",
+                     edge.at_W ? "a place (at), or numbers (edge, hole), not both"
+                               : "which edge is missing: at: [x, y], edge: N or hole: N");
+  }
+  if (edge.at_W && !edge.at_W->allFinite()) {
+    throw InputError(section.source, place_of(section, "at"),
+                     fmt::format("{}, {}", edge.at_W->x(), edge.at_W->y()),
+                     "not a finite coordinate");
+  }
+  edge.passes = read_count(section, "passes", 0, kMostRounds);
+  const auto width_m = read_number(section, "width_m", {0.0, kWidestHeadland_m});
+  if (edge.passes.has_value() == width_m.has_value()) {
+    throw InputError(section.source, place_of_itself(section), "",
+                     edge.passes ? "passes or width_m, not both"
+                                 : "how wide is missing: passes: N or width_m: W");
+  }
+  edge.width_m = width_m.value_or(0.0);
+  return edge;
 }
 
 }  // namespace
@@ -172,10 +203,18 @@ PlannerChoice read_planner(const YamlSection& top) {
     choice.predict_place = place_of(section, "predict");
   }
   choice.ab_line = read_ab_line(section);
+  for (const YamlSection& edge :
+       read_sections(section, "headland_edges").value_or(std::vector<YamlSection>{})) {
+    choice.headland_edges.push_back(read_edge_headland(edge));
+  }
   if (choice.grid) {
     if (choice.ab_line) {
       throw InputError(top.source, place_of(section, "ab_line"), "",
                        "only of planners on fields; cells have planner.direction_deg");
+    }
+    if (!choice.headland_edges.empty()) {
+      throw InputError(top.source, place_of(section, "headland_edges"), "",
+                       "only of planners on fields; plans on cells have no headland");
     }
     choice.grid = read_grid_planning(section);
   } else {
@@ -238,6 +277,10 @@ Vehicle read_drive_keys(const YamlSection& top, const fs::path& folder,
   if (const auto path = numbers_section(top, "path", scenario)) {
     scenario.path.allow_overrun =
         read_flag(*path, "allow_overrun").value_or(scenario.path.allow_overrun);
+    scenario.path.keep_off_worked =
+        read_flag(*path, "keep_off_worked").value_or(scenario.path.keep_off_worked);
+    scenario.path.continuous_turns =
+        read_flag(*path, "continuous_turns").value_or(scenario.path.continuous_turns);
     // Whoever drives it will tell when it is gone: the results of a run outlive its track.
     if (const auto name = read_word(*path, "file")) {
       scenario.path_file = (folder / *name).lexically_normal();

@@ -127,6 +127,27 @@ void emit_verdict(YAML::Emitter& out, Scenario& scenario) {
   out << YAML::EndMap;
 }
 
+void emit_headland_edges(YAML::Emitter& out, const std::vector<EdgeHeadland>& edges) {
+  if (edges.empty()) return;
+  out << YAML::Key << "headland_edges" << YAML::Value << YAML::BeginSeq;
+  for (const EdgeHeadland& edge : edges) {
+    out << YAML::Flow << YAML::BeginMap;
+    if (edge.at_W) {
+      out << YAML::Key << "at" << YAML::Value;
+      emit(out, *edge.at_W);
+    }
+    if (edge.hole > 0) emit(out, "hole", std::to_string(edge.hole));
+    if (edge.edge > 0) emit(out, "edge", std::to_string(edge.edge));
+    if (edge.passes) {
+      emit(out, "passes", std::to_string(*edge.passes));
+    } else {
+      emit(out, "width_m", shown(edge.width_m));
+    }
+    out << YAML::EndMap;
+  }
+  out << YAML::EndSeq;
+}
+
 }  // namespace
 
 std::string scenario_yaml(const Scenario& given) {
@@ -149,6 +170,7 @@ std::string scenario_yaml(const Scenario& given) {
       out << YAML::Key << "ab_line" << YAML::Value << YAML::Flow;
       emit(out, Ring(line->begin(), line->end()));
     }
+    emit_headland_edges(out, scenario.planner.headland_edges);
     if (!scenario.planner.predict_file.empty()) {
       emit(out, "predict", scenario.planner.predict_file.string());
     }
@@ -172,6 +194,8 @@ std::string scenario_yaml(const Scenario& given) {
   }
   emit_numbers(out, "path", scenario);
   emit(out, "allow_overrun", scenario.path.allow_overrun ? "true" : "false");
+  emit(out, "keep_off_worked", scenario.path.keep_off_worked ? "true" : "false");
+  emit(out, "continuous_turns", scenario.path.continuous_turns ? "true" : "false");
   out << YAML::EndMap;
   emit_numbers_section(out, "simulation", scenario);
   emit_numbers_section(out, "positioning", scenario);

@@ -38,15 +38,32 @@ void load_grid(const Scenario& scenario, Stage& stage) {
   check_grid_ends(scenario, *stage.grid);
 }
 
+// Points of the planner's keys, which are in the CRS of the field's others.
+std::vector<Eigen::Vector2d> planner_points_W(const Scenario& scenario, const GeoFrame& frame,
+                                              const std::vector<Eigen::Vector2d>& given,
+                                              const std::string& key) {
+  if (given.empty() || !frame.georeferenced) return given;
+  const std::string crs = scenario.field.crs.empty() ? "EPSG:4326" : scenario.field.crs;
+  return local_from_wgs84(frame,
+                          wgs84_from_crs(crs, given, scenario.file.string() + ": planner." + key));
+}
+
 std::optional<std::array<Eigen::Vector2d, 2>> ab_line_W(const Scenario& scenario,
                                                         const GeoFrame& frame) {
   const auto& given = scenario.planner.ab_line;
-  if (!given || !frame.georeferenced) return given;
-  const std::string crs = scenario.field.crs.empty() ? "EPSG:4326" : scenario.field.crs;
+  if (!given) return given;
   const std::vector<Eigen::Vector2d> points_W =
-      local_from_wgs84(frame, wgs84_from_crs(crs, {given->front(), given->back()},
-                                             scenario.file.string() + ": planner.ab_line"));
+      planner_points_W(scenario, frame, {given->front(), given->back()}, "ab_line");
   return std::array{points_W.front(), points_W.back()};
+}
+
+std::vector<EdgeHeadland> headland_edges_W(const Scenario& scenario, const GeoFrame& frame) {
+  std::vector<EdgeHeadland> edges = scenario.planner.headland_edges;
+  for (EdgeHeadland& edge : edges) {
+    if (!edge.at_W) continue;
+    edge.at_W = planner_points_W(scenario, frame, {*edge.at_W}, "headland_edges").front();
+  }
+  return edges;
 }
 
 }  // namespace
@@ -108,6 +125,7 @@ PlanRequest plan_request(const Scenario& scenario, const Stage& stage) {
   request.clearance_m = scenario.path.clearance_m;
   request.parameters = scenario.planner.parameters;
   request.ab_line_W = ab_line_W(scenario, stage.field.frame);
+  request.headland_edges = headland_edges_W(scenario, stage.field.frame);
   request.seed = scenario.seed;
   return request;
 }

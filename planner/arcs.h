@@ -19,14 +19,17 @@ enum class Gears { kBoth, kForwardOnly };
 
 inline Pose pose_of(const PathPoint& point) { return {point.p_W, point.heading_rad}; }
 
-// A piece of constant curvature (0: a line), driven in one gear. Curvature as in PathPoint:
-// positive with the wheels to the left, so that in reverse a positive one turns the body
-// clockwise.
+// A piece of constant curvature (0: a line), or one that changes evenly along it (a clothoid),
+// driven in one gear. Curvature as in PathPoint: positive with the wheels to the left, so that in
+// reverse a positive one turns the body clockwise.
 struct Arc {
   double length_m = 0.0;
-  double curvature_per_m = 0.0;
+  double curvature_per_m = 0.0;  // where it begins
   Gear gear = Gear::kForward;
+  double sharpness_per_m2 = 0.0;  // by which the curvature changes a metre
 };
+
+double end_curvature_per_m(const Arc& arc);
 
 // The angle in [-pi, pi).
 double wrap_angle(double angle_rad);

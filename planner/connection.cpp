@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "planner/continuous_turns.h"
 #include "planner/hybrid_a_star.h"
 #include "planner/long_route.h"
 #include "planner/turns.h"
@@ -78,7 +79,10 @@ double clearance_between(const FreeSpace& space, const Pose& from, const Pose& t
 bool fits_along(const FreeSpace& space, const Pose& from, const std::vector<Arc>& arcs,
                 double clearance_m) {
   double bend_per_m = 0.0;
-  for (const Arc& arc : arcs) bend_per_m = std::max(bend_per_m, std::abs(arc.curvature_per_m));
+  for (const Arc& arc : arcs) {
+    bend_per_m =
+        std::max({bend_per_m, std::abs(arc.curvature_per_m), std::abs(end_curvature_per_m(arc))});
+  }
   // What does not fit mostly shows at the joints and in the middles, before every place is looked
   // at.
   Pose start = from;
@@ -93,6 +97,7 @@ bool fits_along(const FreeSpace& space, const Pose& from, const std::vector<Arc>
   // No point of the hull moves further than this for a metre along the arcs.
   const double swing = 1.0 + bend_per_m * space.reach_with_bar_m;
   return walk(from, arcs, [&](const Pose& pose) {
+    if (space.worked != nullptr) return fits(space, pose, clearance_m) ? 0.0 : -1.0;
     const double safe_m = safe_distance_m(space, pose) - clearance_m;
     if (safe_m > kLookAhead_m) return safe_m;
     const double free_m = spare_m(space, pose, clearance_m, kLookAhead_m);
@@ -117,10 +122,54 @@ Overrun worst_overrun(const FreeSpace& space, const std::vector<PathPoint>& poin
   return worst;
 }
 
+namespace {
+
+// So many of the cheapest turns are tried with continuous curvature, each a search for its lengths.
+constexpr int kMostContinuous = 60;
+
+// The cheapest of the turns that fits with continuous curvature; words of `found` are of a radius
+// `tightened` times that of the vehicle. Its arcs alone are shorter, so that what costs more than
+// the best so far is not looked at.
+void improve(const FreeSpace& space, const Pose& from, const Pose& to,
+             const ConnectionOptions& options, const std::vector<Turn>& found, double tightened,
+             std::optional<Turn>& best) {
+  int tried = 0;
+  for (const Turn& word : found) {
+    const double enough_m = best ? best->cost_m : options.most_m;
+    if (word.cost_m / tightened >= enough_m || ++tried > kMostContinuous) break;
+    auto turn = continuous_turn(from, to, word.arcs, options.sharpness_per_m2, tightened);
+    if (!turn || turn->cost_m >= enough_m) continue;
+    if (fits_along(space, from, turn->arcs, options.clearance_m)) best = std::move(turn);
+  }
+}
+
+std::optional<std::vector<Arc>> connect_continuously(const FreeSpace& space, const Pose& from,
+                                                     const Pose& to,
+                                                     const ConnectionOptions& options) {
+  const double radius_m = options.radius_m;
+  const Gears gears = space.hull.gears;
+  const double wide_m = ramped_radius_m(radius_m, options.sharpness_per_m2);
+  const double tightened = wide_m / radius_m;
+  std::optional<Turn> best;
+  improve(space, from, to, options, turns(from, to, wide_m, gears), tightened, best);
+  improve(space, from, to, options, turns(from, to, radius_m, gears), 1.0, best);
+  if (best) return std::move(best->arcs);
+  improve(space, from, to, options, turns_with_run_outs(from, to, wide_m, gears), tightened, best);
+  if (best) return std::move(best->arcs);
+  if (gears == Gears::kForwardOnly) return std::nullopt;
+  const Aside aside{roomier_side(space, from), roomier_side(space, to)};
+  improve(space, from, to, options, backing_turns(from, to, wide_m, aside), tightened, best);
+  if (best) return std::move(best->arcs);
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<std::vector<Arc>> connect_by_turn(const FreeSpace& space, const Pose& from,
                                                 const Pose& to, const ConnectionOptions& options) {
   const double clearance_m = options.clearance_m;
   if (!fits(space, from, clearance_m) || !fits(space, to, clearance_m)) return std::nullopt;
+  if (options.sharpness_per_m2 > 0.0) return connect_continuously(space, from, to, options);
   const auto cheapest_fitting = [&](std::vector<Turn> found) -> std::optional<std::vector<Arc>> {
     for (Turn& turn : found) {
       if (turn.cost_m >= options.most_m) break;
@@ -142,8 +191,13 @@ std::optional<std::vector<Arc>> connect_by_turn(const FreeSpace& space, const Po
 }
 
 std::optional<std::vector<Arc>> connect(const FreeSpace& space, const Pose& from, const Pose& to,
-                                        const ConnectionOptions& options, int& node_budget) {
-  if (auto arcs = connect_by_turn(space, from, to, options)) return arcs;
+                                        const ConnectionOptions& asked_for, int& node_budget) {
+  if (auto arcs = connect_by_turn(space, from, to, asked_for)) return arcs;
+  ConnectionOptions options = asked_for;
+  if (options.sharpness_per_m2 > 0.0) {
+    options.sharpness_per_m2 = 0.0;
+    if (auto arcs = connect_by_turn(space, from, to, options)) return arcs;
+  }
   if (!fits(space, from, options.clearance_m) || !fits(space, to, options.clearance_m)) {
     return std::nullopt;
   }

@@ -29,6 +29,7 @@ struct ConnectionOptions {
   double clearance_m = 0.0;  // >= -kFitTolerance_m
   CancelAsked cancelled{};
   double most_m = std::numeric_limits<double>::infinity();  // turns that cost as much are left out
+  double sharpness_per_m2 = 0.0;  // most that turns may have; 0: curvature may jump
 };
 
 // The clearance [m] that both ends keep, at most `clearance_m`: no connection keeps more. Below
@@ -36,13 +37,14 @@ struct ConnectionOptions {
 double clearance_between(const FreeSpace& space, const Pose& from, const Pose& to,
                          double clearance_m);
 
-// The cheapest turn that keeps the clearance from end to end; none when there is none, as when an
-// end does not keep it.
+// The cheapest turn that keeps the clearance from end to end, with no more sharpness than asked for
+// (continuous_turns.h); none when there is none, as when an end does not keep it.
 std::optional<std::vector<Arc>> connect_by_turn(const FreeSpace& space, const Pose& from,
                                                 const Pose& to, const ConnectionOptions& options);
 
-// The cheapest turn that fits, else a route by hybrid A* that expands at most `node_budget` nodes
-// and takes them off it. None when neither is found. Throws Cancelled.
+// The cheapest turn that fits, else one whose curvature jumps, else a route by hybrid A* that
+// expands at most `node_budget` nodes and takes them off it. None when neither is found. Throws
+// Cancelled.
 std::optional<std::vector<Arc>> connect(const FreeSpace& space, const Pose& from, const Pose& to,
                                         const ConnectionOptions& options, int& node_budget);
 

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "planner/continuous_turns.h"
 #include "planner/join_lines.h"
 #include "planner/line_ends.h"
 #include "planner/outline.h"
 #include "planner/polygon.h"
 #include "planner/work_line.h"
+#include "planner/worked_rows.h"
+#include "terrains/input_error.h"
 
 namespace headland {
 
@@ -30,6 +33,19 @@ std::vector<PathPoint> other_way(Pass pass, const FreeSpace& space, double imple
   points.erase(std::find_if(points.rbegin(), points.rend(), fine).base(), points.end());
   if (points.size() < kLeastPoints || !std::ranges::all_of(points, fine)) return {};
   return points;
+}
+
+// Ends moved for turns that keep off the rows before them, if asked.
+std::vector<double> with_room(const Plan& plan, const Field& outline, FreeSpace space,
+                              const ConnectionOptions& connection, const Vehicle& vehicle,
+                              const PathOptions& options, std::vector<WorkLine>& lines) {
+  WorkedGround worked;
+  if (options.keep_off_worked) {
+    worked = ground_to_work(outline);
+    space.worked = &worked;
+  }
+  return make_room_for_turns(plan, outline, space, connection, vehicle,
+                             options.keep_off_worked ? &worked : nullptr, lines);
 }
 
 // A plan of which less than this can be driven, by length, is none.
@@ -58,8 +74,17 @@ void weigh_left_out(const std::vector<Pass>& passes, double width_m, bool refuse
 
 }  // namespace
 
+void check_path_options(const Vehicle& vehicle, const PathOptions& options) {
+  if (!options.continuous_turns || vehicle.steering.kind != SteeringKind::kSkid) return;
+  throw InputError("path", "continuous_turns", "true",
+                   fmt::format("only of vehicles with steered wheels; {} steers by its sides' "
+                               "speeds, which takes no way",
+                               vehicle.name));
+}
+
 Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
                const PathOptions& options, const CancelAsked& cancelled) {
+  check_path_options(vehicle, options);
   if (plan.passes.empty()) throw PlanInfeasible("the plan has no passes");
   const Field outline = simplified(field);
   const FreeSpace space = free_space(outline, hull_of(vehicle));
@@ -75,10 +100,9 @@ Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
       lines.back().other_way = other_way(pass, space, vehicle.implement.x_B_m, options.clearance_m);
     }
   }
-  const ConnectionOptions connection{planning_turning_radius_m(vehicle), options.clearance_m,
-                                     cancelled};
-  std::vector<double> cuts =
-      make_room_for_turns(plan, outline, space, connection, vehicle.implement.x_B_m, lines);
+  ConnectionOptions connection{planning_turning_radius_m(vehicle), options.clearance_m, cancelled};
+  if (options.continuous_turns) connection.sharpness_per_m2 = turning_sharpness_per_m2(vehicle);
+  std::vector<double> cuts = with_room(plan, outline, space, connection, vehicle, options, lines);
   Path path = join_lines(field, vehicle, space, lines, options, cancelled);
   weigh_left_out(plan.passes, vehicle.implement.working_width_m, !options.allow_overrun, path);
   path.cut_back_m = std::move(cuts);

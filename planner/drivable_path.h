@@ -19,16 +19,24 @@ struct PathOptions {
   // moved: one that keeps less keeps what it does, and so do the turns at its ends.
   double clearance_m = 0.1;
   bool allow_overrun = false;  // record what does not fit as violations instead of refusing
+  // Wheels keep off the ground of swaths driven before, between swaths (worked_rows.h).
+  bool keep_off_worked = false;
+  // Turns bend no faster than the vehicle steers, where such ones fit (continuous_turns.h). Refused
+  // of skid steering.
+  bool continuous_turns = false;
 };
+
+// Throws InputError("path", "continuous_turns", ...) for continuous turns of skid steering.
+void check_path_options(const Vehicle& vehicle, const PathOptions& options);
 
 // Joins the passes of `plan` in their order by the cheapest turn that fits: U, omega, three-point,
 // any Dubins or Reeds-Shepp curve, or a route around what is in the way (hybrid A*). Swaths are
 // shifted along their direction so that the implement, not the axle, works from end to end. The
 // path begins at the field's entry, if it has one. With a trailed implement nothing is driven in
 // reverse, and swaths have a straight run-in (run_in_m of work_line.h).
-// Throws PlanInfeasible naming the place and the headland width that would do when a turn does not
-// fit and overruns are not allowed, when turns lead to less than half of the passes by length, also
-// for a pass without length; Cancelled.
+// Throws InputError for continuous turns of a skid-steered vehicle, PlanInfeasible naming the place
+// and the headland width that would do when a turn does not fit and overruns are not allowed, when
+// turns lead to less than half of the passes by length, also for a pass without length; Cancelled.
 Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
                const PathOptions& options, const CancelAsked& cancelled = {});
 

@@ -50,6 +50,20 @@ void turn_round(WorkLine& line) {
   std::swap(line.run_in, line.other_run_in);
 }
 
+// From here on the rows of a line are worked, its end when the turn from it is known.
+void work_next(LineJoining& joining, std::size_t next, const std::vector<DrivenLine>& driven) {
+  if (joining.worked == nullptr) return;
+  const auto whole = [&](std::size_t line) { return joining.lines[line].points.size() - 1; };
+  const auto tail = [&](std::size_t line) {
+    return whole(line) - tail_edges(joining.lines[line], joining.vehicle, 0.0);
+  };
+  if (!driven.empty()) {
+    const std::size_t before = driven.back().line;
+    work_rows(*joining.worked, joining.lines[before], tail(before), whole(before), joining.vehicle);
+  }
+  work_rows(*joining.worked, joining.lines[next], 0, tail(next), joining.vehicle);
+}
+
 // Appends a line if a turn leads to it, the other way round if that helps.
 bool drive_next(LineJoining& joining, std::size_t next, std::vector<DrivenLine>& driven) {
   DrivenLine to{next};
@@ -63,6 +77,7 @@ bool drive_next(LineJoining& joining, std::size_t next, std::vector<DrivenLine>&
     }
     if (!to.arcs) return false;
   }
+  work_next(joining, next, driven);
   driven.push_back(std::move(to));
   return true;
 }
@@ -122,6 +137,7 @@ std::vector<DrivenLine> lines_to_drive(LineJoining& joining) {
     }
     if (!reached) {
       if (!joining.options.allow_overrun) refuse_connection(joining, driven.back().line, next);
+      work_next(joining, next, driven);
       driven.push_back({next});
     }
     ++next;

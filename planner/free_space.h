@@ -25,6 +25,8 @@ enum class Limit { kNone, kBoundary, kHole, kObstacle };
 
 // Edges and obstacles of a field in a grid of square cells, made once by free_space(). Each cell
 // lists what touches it and has the distance from its centre to the nearest of all.
+struct WorkedGround;
+
 struct FreeSpace {
   struct Edge {
     Eigen::Vector2d a_W;
@@ -47,6 +49,8 @@ struct FreeSpace {
   int columns = 0;
   int rows = 0;
   std::vector<Cell> cells;  // row by row
+  // Ground that wheels keep off as well; not owned; null: none.
+  const WorkedGround* worked = nullptr;
 };
 
 // The field as it is, edge by edge. 0.1 s for 100 000 edges.
@@ -63,11 +67,15 @@ struct NearestEdge {
 NearestEdge nearest_edge(const FreeSpace& space, const Eigen::Vector2d& p_W);
 
 // Whether the hull keeps `clearance_m` (>= -kFitTolerance_m) from boundary and holes at this pose,
-// and kObstacleClearances times as much from obstacles. Under 1 us.
+// and kObstacleClearances times as much from obstacles, and its wheels keep off worked ground.
+// Under 1 us.
 bool fits(const FreeSpace& space, const Pose& pose, double clearance_m);
 
+// Whether every wheel stands beside `worked`.
+bool keeps_off_worked(const FreeSpace& space, const Pose& pose);
+
 // How much more [m] than the clearance the hull keeps from everything, at most `most_m` (>= 0);
-// negative where it does not fit.
+// negative where it does not fit. Worked ground does not count.
 double spare_m(const FreeSpace& space, const Pose& pose, double clearance_m, double most_m);
 
 // Whether the implement at this pose works inside the boundary and outside holes, but for

@@ -43,6 +43,31 @@ RoundChoice best_begin(const Polyline& round, const Pass* before, const Eigen::V
   return best;
 }
 
+// A stretch of a round is driven from either end.
+RoundChoice best_way(const Polyline& line, const Pass* before, const Eigen::Vector2d& from_W,
+                     double turning_radius_m) {
+  RoundChoice best;
+  for (const bool reversed : {false, true}) {
+    const Polyline way = reversed ? Polyline(line.rbegin(), line.rend()) : line;
+    const double cost_m = before == nullptr ? (way.front() - from_W).norm()
+                                            : forward_length_m(end_pose(before->points_W),
+                                                               begin_pose(way), turning_radius_m);
+    if (cost_m < best.cost_m) best = {{0, reversed}, cost_m};
+  }
+  return best;
+}
+
+// Rings or edge passes that are driven before the swaths, or after them.
+template <typename Along>  // HeadlandRing or EdgePass
+std::vector<Along> in_turn(const std::vector<Along>& all, bool before, const PlanRequest& request) {
+  const std::string& order = word(request.parameters, "headland_order");
+  std::vector<Along> chosen;
+  std::ranges::copy_if(all, std::back_inserter(chosen), [&](const Along& along) {
+    return (order == "first" || (order == "holes_first" && along.around_hole)) == before;
+  });
+  return chosen;
+}
+
 }  // namespace
 
 std::span<const ParameterSpec> headland_parameters() {
@@ -58,8 +83,9 @@ std::span<const ParameterSpec> headland_parameters() {
        std::string("last"),
        0.0,
        0.0,
-       {"first", "last"},
-       "whether the rounds are driven before or after the swaths"},
+       {"first", "last", "holes_first"},
+       "whether the rounds are driven before or after the swaths, or those around holes before "
+       "and those along the boundary after them"},
   }};
   return kParameters;
 }
@@ -77,10 +103,11 @@ std::optional<Eigen::Vector2d> end_of(const std::vector<Pass>& passes,
 
 // Rings of the boundary in the order of their rounds, and those around holes by nearness: before
 // the swaths the boundary comes first, after them last, next to where the field is left.
-void append_rings(const Headland& headland, bool inwards, const PlanRequest& request,
+void append_rings(const std::vector<HeadlandRing>& rings, bool inwards, const PlanRequest& request,
                   std::vector<Pass>& passes) {
   std::vector<const HeadlandRing*> left;
-  for (const HeadlandRing& ring : headland.rings) left.push_back(&ring);
+  left.reserve(rings.size());
+  for (const HeadlandRing& ring : rings) left.push_back(&ring);
   const auto rank = [&](const HeadlandRing* ring) {
     if (ring->around_hole) return inwards ? std::pair(1, 0) : std::pair(0, 0);
     return inwards ? std::pair(0, ring->round) : std::pair(1, -ring->round);
@@ -105,15 +132,33 @@ void append_rings(const Headland& headland, bool inwards, const PlanRequest& req
     for (const HeadlandRing* ring : nearest) {
       if (away_m(ring) >= choice.cost_m) break;
       const RoundChoice found =
-          best_begin(ring->line_W, before, from_W, request.turning_radius_m, choice.cost_m);
+          is_closed(*ring)
+              ? best_begin(ring->line_W, before, from_W, request.turning_radius_m, choice.cost_m)
+              : best_way(ring->line_W, before, from_W, request.turning_radius_m);
       if (found.cost_m < choice.cost_m) {
         choice = found;
         next = ring;
       }
     }
-    passes.push_back({PassKind::kHeadlandPass, begun_at(next->line_W, choice.begin)});
+    Polyline line_W = next->line_W;
+    if (is_closed(*next)) {
+      line_W = begun_at(line_W, choice.begin);
+    } else if (choice.begin.reversed) {
+      std::ranges::reverse(line_W);
+    }
+    passes.push_back({PassKind::kHeadlandPass, std::move(line_W)});
     std::erase(left, next);
   }
+}
+
+void append_rings_before(const Headland& headland, const PlanRequest& request,
+                         std::vector<Pass>& passes) {
+  append_rings(in_turn(headland.rings, true, request), true, request, passes);
+}
+
+void append_rings_after(const Headland& headland, const PlanRequest& request,
+                        std::vector<Pass>& passes) {
+  append_rings(in_turn(headland.rings, false, request), false, request, passes);
 }
 
 // Passes of a ring follow each other around it, from the one that begins nearest on.
@@ -163,6 +208,16 @@ void append_edge_passes(const std::vector<EdgePass>& edges, bool inwards,
       passes.push_back({PassKind::kHeadlandPass, std::move(line), true});
     }
   }
+}
+
+void append_edge_passes_before(const std::vector<EdgePass>& edges, const PlanRequest& request,
+                               std::vector<Pass>& passes) {
+  append_edge_passes(in_turn(edges, true, request), true, request, passes);
+}
+
+void append_edge_passes_after(const std::vector<EdgePass>& edges, const PlanRequest& request,
+                              std::vector<Pass>& passes) {
+  append_edge_passes(in_turn(edges, false, request), false, request, passes);
 }
 
 }  // namespace headland

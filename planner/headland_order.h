@@ -25,12 +25,22 @@ std::optional<Eigen::Vector2d> end_of(const std::vector<Pass>& passes,
 // those around holes by nearness; outwards the other way round, so that the field is left from its
 // edge. Each begins at its point, and runs in the direction, with the shortest forward curve from
 // where the vehicle comes from. Throw Cancelled.
-void append_rings(const Headland& headland, bool inwards, const PlanRequest& request,
+void append_rings(const std::vector<HeadlandRing>& rings, bool inwards, const PlanRequest& request,
                   std::vector<Pass>& passes);
+
+// Those that `headland_order` has before the swaths, and those that it has after them.
+void append_rings_before(const Headland& headland, const PlanRequest& request,
+                         std::vector<Pass>& passes);
+void append_rings_after(const Headland& headland, const PlanRequest& request,
+                        std::vector<Pass>& passes);
 
 // Likewise with passes into corners: those of one ring follow each other around it, from the one
 // that begins nearest on. They are `optional`.
 void append_edge_passes(const std::vector<EdgePass>& edges, bool inwards,
                         const PlanRequest& request, std::vector<Pass>& passes);
+void append_edge_passes_before(const std::vector<EdgePass>& edges, const PlanRequest& request,
+                               std::vector<Pass>& passes);
+void append_edge_passes_after(const std::vector<EdgePass>& edges, const PlanRequest& request,
+                              std::vector<Pass>& passes);
 
 }  // namespace headland

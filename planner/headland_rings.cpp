@@ -4,81 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <utility>
 
 #include "planner/free_space.h"
+#include "planner/headland_by_edge.h"
 #include "planner/outline.h"
-#include "planner/ring_smoothing.h"
 
 namespace headland {
 namespace {
 
-// Rounding is done with a larger radius, because filtering tightens a circle of radius R by
-// sigma^2 / (2 R^2) = 0.5 % and leaves about 1 % of ripple.
-constexpr double kRadiusMargin = 1.03;
-constexpr double kFilterSigmaPerRadius = 0.1;
-// Points of a ring whose circle tells its radius are this far apart [part of the turning radius].
-constexpr double kWindowPerRadius = 0.2;
 // Rounding, clearance slack and filter may add up to this [part of the turning radius].
 constexpr double kRingErrorPerRadius = 0.035;
-// Attempts at a round without kinks before its rings that have some are given up.
-constexpr int kEvenings = 2;
-// Slivers between a rounded ring and an offset of the field are thinner than this [part of the
-// working width].
-constexpr double kSliverPerWidth = 1.0 / 16.0;
-
-std::vector<HeadlandRing> rings_of(const PolygonSet& ground, int round, double turning_radius_m) {
-  const double sigma_m = kFilterSigmaPerRadius * turning_radius_m;
-  std::vector<HeadlandRing> rings;
-  const auto append = [&](const Ring& ring, bool around_hole) {
-    HeadlandRing smooth{round, around_hole, smoothed_ring(ring, sigma_m), {}};
-    for (const Eigen::Vector2d& p_W : smooth.line_W) smooth.box_W.extend(p_W);
-    rings.push_back(std::move(smooth));
-  };
-  for (const PolygonPart& part : ground.parts) {
-    append(part.outer, false);
-    for (const Ring& hole : part.holes) append(hole, true);
-  }
-  return rings;
-}
-
-struct Round {
-  PolygonSet ground;  // the rings run along its edges
-  std::vector<HeadlandRing> rings;
-};
-
-// Rings whose kinks cannot be rounded away are left out.
-Round round_of(const PolygonSet& ground, int round, const Rounding& rounding,
-               const PlanRequest& request) {
-  const auto fine = [&](const HeadlandRing& ring) {
-    return tightest_radius_m(ring.line_W, kWindowPerRadius * request.turning_radius_m) >=
-           request.turning_radius_m;
-  };
-  Round made{rounded(ground, rounding, request.cancelled), {}};
-  made.rings = rings_of(made.ground, round, request.turning_radius_m);
-  for (int step = 0; step < kEvenings && !std::ranges::all_of(made.rings, fine); ++step) {
-    stop_if(request.cancelled);
-    made.ground =
-        step % 2 == 0 ? closed_where_clear(made.ground, rounding) : opened(made.ground, rounding);
-    made.rings = rings_of(made.ground, round, request.turning_radius_m);
-  }
-  std::erase_if(made.rings, std::not_fn(fine));
-  return made;
-}
-
-// Pieces of `ground` that are more than slivers and crumbs.
-PolygonSet worth_working(const PolygonSet& ground, double width_m) {
-  const double sliver_m = kSliverPerWidth * width_m;
-  const PolygonSet opened =
-      buffered(buffered(ground, -sliver_m, Join::kMitre), sliver_m, Join::kMitre);
-  PolygonSet kept;
-  for (const PolygonPart& part : opened.parts) {
-    if (area_m2({{part}}) > width_m * width_m) kept.parts.push_back(part);
-  }
-  return kept;
-}
 
 double perimeter_m(const Ring& ring) {
   double sum_m = (ring.front() - ring.back()).norm();
@@ -152,13 +88,28 @@ int rounds_for_turning(const PlanRequest& request) {
                                                 request.working_width_m)));
 }
 
+void refuse_headland(const PlanRequest& request, const PolygonSet& field, const FirstRound& first) {
+  const Disc widest = widest_disc(field);
+  throw PlanInfeasible(fmt::format(
+      "the turning radius fits nowhere: a round inside the boundary needs ground {:.1f} m wide "
+      "(working width {:.2f} m, turning radius {:.2f} m, clearance {:.2f} m); the widest is "
+      "{:.1f} m at ({:.1f}, {:.1f}) m",
+      2.0 * (first.distance_m + kRadiusMargin * first.radius_m), request.working_width_m,
+      request.turning_radius_m, request.clearance_m, 2.0 * widest.radius_m, widest.centre_W.x(),
+      widest.centre_W.y()));
+}
+
 Headland make_headland(const PlanRequest& request, int rounds) {
   const double width_m = request.working_width_m;
   const FirstRound first = first_round(request);
   const double first_m = first.distance_m;
   const PolygonSet field = from_field(request.field, obstacle_margin_m(request, first_m));
+  if (!request.headland_edges.empty()) {
+    return headland_by_edge(request, field, first, edge_rounds(request, rounds, first_m));
+  }
 
   Headland headland;
+  headland.rounds = rounds;
   headland.width_m = first_m + (rounds - 0.5) * width_m;
   headland.drivable = buffered(field, -first_m, Join::kRound);
   headland.inner = buffered(field, -headland.width_m, Join::kRound);
@@ -179,8 +130,8 @@ Headland make_headland(const PlanRequest& request, int rounds) {
     // A corner that sticks into the ground is passed at constant distance where the vehicle can
     // follow that arc, else along its sharp offset, rounded.
     const Join join = distance_m < radius_m ? Join::kMitre : Join::kRound;
-    const Round made = round_of(buffered(field, -distance_m, join), round,
-                                {radius_m, corner_radius_m, field, first_m}, request);
+    const HeadlandRound made = round_along(buffered(field, -distance_m, join), round,
+                                           {radius_m, corner_radius_m, field, first_m}, request);
     headland.rings.insert(headland.rings.end(), made.rings.begin(), made.rings.end());
     if (round > 0 && corners_are_worked) {
       inner.push_back(
@@ -192,15 +143,7 @@ Headland make_headland(const PlanRequest& request, int rounds) {
     inner.push_back(worth_working(difference(inside_before, headland.inner), width_m));
   }
   headland.inner = united(inner);
-  if (headland.rings.empty()) {
-    const Disc widest = widest_disc(field);
-    throw PlanInfeasible(fmt::format(
-        "the turning radius fits nowhere: a round inside the boundary needs ground {:.1f} m wide "
-        "(working width {:.2f} m, turning radius {:.2f} m, clearance {:.2f} m); the widest is "
-        "{:.1f} m at ({:.1f}, {:.1f}) m",
-        2.0 * (first_m + kRadiusMargin * first.radius_m), width_m, request.turning_radius_m,
-        request.clearance_m, 2.0 * widest.radius_m, widest.centre_W.x(), widest.centre_W.y()));
-  }
+  if (headland.rings.empty()) refuse_headland(request, field, first);
   return headland;
 }
 

@@ -1,9 +1,10 @@
 // The headland: rounds of the working width along the boundary and around holes and obstacles.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <vector>
 
+#include "planner/edge_zones.h"
+#include "planner/headland_round.h"
 #include "planner/plan.h"
 #include "planner/polygon.h"
 
@@ -12,20 +13,17 @@ namespace headland {
 // What the outermost ring keeps beyond the clearance asked for [m], for the errors of its rounding.
 inline constexpr double kRingMargin_m = 0.05;
 
-// A closed round (first point == last), kRingSpacing_m between points, never tighter than the
-// turning radius. `round` counts from the boundary inwards.
-struct HeadlandRing {
-  int round = 0;
-  bool around_hole = false;
-  Polyline line_W;
-  Eigen::AlignedBox2d box_W;  // around line_W
-};
-
 struct Headland {
-  double width_m = 0.0;
+  double width_m = 0.0;             // where it is widest
+  int rounds = 0;                   // there
   std::vector<HeadlandRing> rings;  // by round; within a round as GEOS gives them
   PolygonSet inner;                 // ground left for swaths
   PolygonSet drivable;  // where the middle of a swath may run: implement and hull inside
+  // Where the request names edges:
+  PolygonSet inside;  // ground without headland
+  EdgedGround edged;
+  std::vector<PlannedEdge> edges;
+  std::vector<NarrowEdge> narrow;  // too narrow for turning
 };
 
 // The outermost ring: its distance from the boundary and the radius of its corners [m].
@@ -54,11 +52,16 @@ double turning_depth_m(const PlanRequest& request);
 // Smallest number of rounds whose ground is turning_depth_m deep.
 int rounds_for_turning(const PlanRequest& request);
 
+// Throws PlanInfeasible: not even the first round fits.
+[[noreturn]] void refuse_headland(const PlanRequest& request, const PolygonSet& field,
+                                  const FirstRound& first);
+
 // `rounds` >= 1 rings from first_round inwards, one working width apart. A round that splits
 // becomes several rings, where the ground is narrower than two turning radii it vanishes; rounds
 // of boundary and holes that would meet are one round around both. Ground inside the first round
 // that no later round reaches, in pieces of more than a working width squared, is left to the
-// swaths. Throws PlanInfeasible when not even one ring fits, Cancelled.
+// swaths. Edges that the request names have their own number of rounds (headland_by_edge.h). Throws
+// PlanInfeasible when not even one ring fits, InputError for edges that are not there, Cancelled.
 Headland make_headland(const PlanRequest& request, int rounds);
 
 }  // namespace headland

@@ -16,6 +16,9 @@ Hull hull_of(const Vehicle& vehicle) {
   hull.half_width_m = 0.5 * vehicle.body.width_m;
   hull.bar_x_m = vehicle.implement.x_B_m;
   hull.bar_half_width_m = 0.5 * vehicle.implement.working_width_m;
+  hull.front_axle_x_m = vehicle.front.x_B_m;
+  hull.rear_axle_x_m = vehicle.rear.x_B_m;
+  hull.half_track_m = 0.5 * std::max(vehicle.front.track_m, vehicle.rear.track_m);
   if (vehicle.implement.trailing) hull.gears = Gears::kForwardOnly;
   return hull;
 }
@@ -29,6 +32,13 @@ Hull hull_of(const PlanRequest& request) {
   hull.bar_half_width_m = 0.5 * request.working_width_m;
   if (request.forward_only) hull.gears = Gears::kForwardOnly;
   return hull;
+}
+
+std::array<Vector2d, 4> wheels_of(const Hull& hull) {
+  return {Vector2d(hull.rear_axle_x_m, -hull.half_track_m),
+          Vector2d(hull.front_axle_x_m, -hull.half_track_m),
+          Vector2d(hull.front_axle_x_m, hull.half_track_m),
+          Vector2d(hull.rear_axle_x_m, hull.half_track_m)};
 }
 
 double reach_m(const Hull& hull) {

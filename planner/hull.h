@@ -19,7 +19,13 @@ struct Hull {
   double bar_x_m = 0.0;
   double bar_half_width_m = 0.0;  // 0: no bar
   Gears gears = Gears::kBoth;
+  // Wheels: two on each axle; 0: not known.
+  double front_axle_x_m = 0.0;
+  double rear_axle_x_m = 0.0;
+  double half_track_m = 0.0;
 };
+
+std::array<Eigen::Vector2d, 4> wheels_of(const Hull& hull);
 
 Hull hull_of(const Vehicle& vehicle);
 Hull hull_of(const PlanRequest& request);

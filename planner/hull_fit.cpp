@@ -4,6 +4,7 @@
 #include "planner/free_space.h"
 #include "planner/segment.h"
 #include "planner/space_cells.h"
+#include "planner/worked_ground.h"
 
 namespace headland {
 namespace {
@@ -74,6 +75,14 @@ bool every_gap(const FreeSpace& space, const Pose& pose, double shrunk_m, double
 
 }  // namespace
 
+bool keeps_off_worked(const FreeSpace& space, const Pose& pose) {
+  if (space.worked == nullptr) return true;
+  const PoseFrame frame(pose);
+  return std::ranges::none_of(wheels_of(space.hull), [&](const Vector2d& wheel) {
+    return state_at(*space.worked, frame.world(wheel)) == GroundState::kWorked;
+  });
+}
+
 double safe_distance_m(const FreeSpace& space, const Pose& pose) {
   const CellPlace place = place_of(space, pose.p_W);
   const double off_centre_m = (pose.p_W - place.centre_W).norm();
@@ -97,6 +106,7 @@ double spare_m(const FreeSpace& space, const Pose& pose, double clearance_m, dou
 }
 
 bool fits(const FreeSpace& space, const Pose& pose, double clearance_m) {
+  if (!keeps_off_worked(space, pose)) return false;
   return safe_distance_m(space, pose) > clearance_m ||
          spare_m(space, pose, clearance_m, 0.0) >= 0.0;
 }
@@ -135,6 +145,7 @@ double clearance_m(const FreeSpace& space, const Pose& pose, double most_m) {
 }
 
 bool disc_fits(const FreeSpace& space, const Vector2d& p_W, double radius_m) {
+  if (space.worked != nullptr && state_at(*space.worked, p_W) == GroundState::kWorked) return false;
   const CellPlace place = place_of(space, p_W);
   const double off_centre_m = (p_W - place.centre_W).norm();
   const double nearest_m =

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "planner/connection.h"
+#include "planner/continuous_turns.h"
 #include "planner/driven_lines.h"
 #include "planner/line_joining.h"
 #include "planner/turns.h"
@@ -38,8 +39,9 @@ void record(LineJoining& joining, const Overrun& worst, std::string_view what) {
 
 PathKind connection_kind(const LineJoining& joining, const Pose& from, const Pose& to,
                          const std::vector<Arc>& arcs) {
-  const bool straight =
-      std::ranges::all_of(arcs, [](const Arc& arc) { return arc.curvature_per_m == 0.0; });
+  const bool straight = std::ranges::all_of(arcs, [](const Arc& arc) {
+    return arc.curvature_per_m == 0.0 && arc.sharpness_per_m2 == 0.0;
+  });
   if (straight) return PathKind::kTransit;
   const double turn_like_m = 2.0 * std::numbers::pi * joining.radius_m +
                              kTransitWidths * joining.vehicle.implement.working_width_m;
@@ -77,6 +79,7 @@ void append_connection(LineJoining& joining, std::size_t before, const DrivenLin
                          line_name(joining.lines, next.line)));
     }
   }
+  if (joining.options.continuous_turns && !is_continuous(*arcs)) ++joining.path.abrupt_turns;
   append_arcs(joining, pose_of(from), *arcs, to,
               connection_kind(joining, pose_of(from), pose_of(to), *arcs));
 }
@@ -199,7 +202,16 @@ void append_entry(LineJoining& joining, const Eigen::Vector2d& entry_W) {
 Path join_lines(const Field& field, const Vehicle& vehicle, const FreeSpace& space,
                 const std::vector<WorkLine>& lines, const PathOptions& options,
                 const CancelAsked& cancelled, int node_budget) {
-  LineJoining joining{field, vehicle, lines, options, space, cancelled};
+  WorkedGround worked;
+  FreeSpace off_rows;
+  if (options.keep_off_worked) {
+    worked = ground_to_work(field);
+    off_rows = space;
+    off_rows.worked = &worked;
+  }
+  LineJoining joining{field,    vehicle, lines, options, options.keep_off_worked ? off_rows : space,
+                      cancelled};
+  joining.worked = options.keep_off_worked ? &worked : nullptr;
   joining.node_budget = node_budget;
   joining.radius_m = planning_turning_radius_m(vehicle);
   if (field.entry_W) append_entry(joining, *field.entry_W);

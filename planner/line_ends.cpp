@@ -16,15 +16,27 @@ namespace {
 constexpr double kCutStep_m = 0.5;
 constexpr double kLeastSwath_m = 2.0;  // what is left of a swath that lies in the headland whole
 
+// As far as turning takes a headland pass along some edges alone is cut back [turning radii].
+constexpr double kMostCutRadii = 3.0;
+
 // How far a swath may be cut at its begin and its end [m].
 struct Allowance {
   double begin_m = 0.0;
   double end_m = 0.0;
 };
 
-Allowance allowance(const Pass& pass, const PolygonSet& inside_headland) {
-  if (pass.kind != PassKind::kSwath) return {};
+bool closed(const Pass& pass) {
+  return pass.kind == PassKind::kHeadlandPass && pass.points_W.size() > 3 &&
+         pass.points_W.front() == pass.points_W.back();
+}
+
+Allowance allowance(const Pass& pass, const PolygonSet& inside_headland, double radius_m) {
+  if (closed(pass)) return {};
   const double whole_m = std::max(0.0, 0.5 * (length_m(pass.points_W) - kLeastSwath_m));
+  if (pass.kind == PassKind::kHeadlandPass) {
+    const double most_m = std::min(whole_m, kMostCutRadii * radius_m);
+    return {most_m, most_m};
+  }
   const std::vector<Polyline> inner = clip_line(pass.points_W, inside_headland);
   if (inner.empty()) return {whole_m, whole_m};
   return {std::min(whole_m, (inner.front().front() - pass.points_W.front()).norm()),
@@ -35,11 +47,6 @@ Allowance allowance(const Pass& pass, const PolygonSet& inside_headland) {
 std::size_t points_within(const WorkLine& line, double cut_m) {
   const double spacing_m = (line.points[1].p_W - line.points[0].p_W).norm();
   return static_cast<std::size_t>(std::floor(cut_m / spacing_m));
-}
-
-bool closed(const Pass& pass) {
-  return pass.kind == PassKind::kHeadlandPass && pass.points_W.size() > 3 &&
-         pass.points_W.front() == pass.points_W.back();
 }
 
 // Begins the round where the cheapest turn from the end of `from` leads to; false when none does.
@@ -110,28 +117,53 @@ std::vector<double> cut_back(WorkLine& from, double end_m, WorkLine& to, double 
 
 std::vector<double> make_room_for_turns(const Plan& plan, const Field& field,
                                         const FreeSpace& space, const ConnectionOptions& options,
-                                        double implement_x_B_m, std::vector<WorkLine>& lines) {
+                                        const Vehicle& vehicle, WorkedGround* worked,
+                                        std::vector<WorkLine>& lines) {
+  const double implement_x_B_m = vehicle.implement.x_B_m;
   const PolygonSet inside_headland =
-      buffered(from_field(field), -plan.headland_width_m, Join::kRound);
+      plan.kept_whole ? *plan.kept_whole
+                      : buffered(from_field(field), -plan.headland_width_m, Join::kRound);
   std::vector<double> cuts;
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
     stop_if(options.cancelled);
     WorkLine& from = lines[i];
     WorkLine& to = lines[i + 1];
     if (from.optional || to.optional) continue;
+    const double end_m = allowance(plan.passes[i], inside_headland, options.radius_m).end_m;
+    const auto work = [&](std::size_t first, std::size_t last) {
+      if (worked != nullptr) work_rows(*worked, from, first, last, vehicle);
+    };
+    const std::size_t tail = from.points.size() - 1 - tail_edges(from, vehicle, 0.0);
+    work(0, tail);
+    const auto work_tail = [&] { work(tail, from.points.size() - 1); };
     if (auto arcs = connect_by_turn(space, pose_of(from.points.back()), pose_of(to.points.front()),
                                     options)) {
       from.turn_to_next = std::move(*arcs);
+      work_tail();
       continue;
     }
     if (closed(plan.passes[i + 1]) &&
         begin_elsewhere(plan.passes[i + 1], from, to, space, options, implement_x_B_m)) {
       continue;
     }
-    const double end_m = allowance(plan.passes[i], inside_headland).end_m;
-    const double begin_m = allowance(plan.passes[i + 1], inside_headland).begin_m;
+    // Where the line is cut back no row has been worked.
+    const std::size_t kept = from.points.size() - 1 - tail_edges(from, vehicle, end_m);
+    if (worked != nullptr) unwork_rows(*worked, from, kept, tail, vehicle);
+    const double begin_m = allowance(plan.passes[i + 1], inside_headland, options.radius_m).begin_m;
     const std::vector<double> cut = cut_back(from, end_m, to, begin_m, space, options);
     cuts.insert(cuts.end(), cut.begin(), cut.end());
+    if (worked == nullptr) continue;
+    // What is left of the row is kept off, too.
+    const std::size_t last = from.points.size() - 1;
+    const std::size_t rest = last - tail_edges(from, vehicle, 0.0);
+    work(std::min(kept, rest), rest);
+    const Pose end = pose_of(from.points.back());
+    if (!from.turn_to_next.empty() &&
+        !fits_along(space, end, from.turn_to_next, options.clearance_m)) {
+      from.turn_to_next = connect_by_turn(space, end, pose_of(to.points.front()), options)
+                              .value_or(std::vector<Arc>{});
+    }
+    work(rest, last);
   }
   return cuts;
 }

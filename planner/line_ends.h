@@ -7,6 +7,7 @@
 #include "planner/free_space.h"
 #include "planner/plan.h"
 #include "planner/work_line.h"
+#include "planner/worked_rows.h"
 
 namespace headland {
 
@@ -15,11 +16,14 @@ namespace headland {
 //   turn reaches;
 // - swaths are cut back. Planners let them reach into headland ground that no round covers, for
 //   its coverage; they are shortened by as little as makes a turn fit and never further than the
-//   headland's edge (headland_width_m of the plan). Beyond that the headland itself is too narrow,
-//   and the lines stay as they are.
+//   headland's edge (kept_whole or headland_width_m of the plan). Beyond that the headland itself
+//   is too narrow, and the lines stay as they are;
+// - headland passes along some edges alone are cut back likewise, by up to 3 turning radii.
+// Rows are worked in `worked` (null: none is kept off) as they come, where `space` looks them up.
 // Returns the lengths [m] cut off swath ends. Throws Cancelled.
 std::vector<double> make_room_for_turns(const Plan& plan, const Field& field,
                                         const FreeSpace& space, const ConnectionOptions& options,
-                                        double implement_x_B_m, std::vector<WorkLine>& lines);
+                                        const Vehicle& vehicle, WorkedGround* worked,
+                                        std::vector<WorkLine>& lines);
 
 }  // namespace headland

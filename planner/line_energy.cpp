@@ -40,7 +40,8 @@ double line_wh(const SlopeCost& cost, const Heightfield* terrain, const Eigen::V
 double turn_wh(const DriveCost& cost, const std::vector<Arc>& arcs, double slope) {
   double quarters = 0.0;
   for (const Arc& arc : arcs) {
-    quarters += arc.length_m * std::abs(arc.curvature_per_m) / kQuarter_rad;
+    quarters += arc.length_m * std::abs(0.5 * (arc.curvature_per_m + end_curvature_per_m(arc))) /
+                kQuarter_rad;
   }
   const MovementCost& movement = cost.movement;
   return length_m(arcs) * wh_per_m(cost.raised, slope) + movement.cycle_wh +

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "planner/continuous_turns.h"
+
 namespace headland {
 namespace {
 
@@ -13,7 +15,11 @@ constexpr double kWidthStep_m = 0.1;
 }  // namespace
 
 ConnectionOptions connection_options(const LineJoining& joining, double clearance_m) {
-  return {joining.radius_m, clearance_m, joining.cancelled};
+  ConnectionOptions options{joining.radius_m, clearance_m, joining.cancelled};
+  if (joining.options.continuous_turns) {
+    options.sharpness_per_m2 = turning_sharpness_per_m2(joining.vehicle);
+  }
+  return options;
 }
 
 Eigen::Vector2d implement_at(const LineJoining& joining, const PathPoint& axle) {
@@ -40,7 +46,8 @@ void refuse_connection(const LineJoining& joining, std::size_t before, std::size
   const Eigen::Vector2d end_W = implement_at(joining, from);
   const std::string what =
       fmt::format("no turn from {} to {} fits at {}", line_name(joining.lines, before),
-                  line_name(joining.lines, next), place_name(joining.field, end_W));
+                  line_name(joining.lines, next), place_name(joining.field, end_W)) +
+      (joining.worked != nullptr ? " and keeps off the rows worked (path.keep_off_worked)" : "");
   const EdgeAhead ahead = edge_ahead(joining.space, end_W, from.heading_rad);
   const double there_m = ahead.distance_m * ahead.outward.dot(direction_of(from.heading_rad));
   const double depth_m = least_depth_m(joining.space, pose_of(from), pose_of(to), joining.radius_m,
@@ -54,9 +61,12 @@ void refuse_connection(const LineJoining& joining, std::size_t before, std::size
                     what, would_do_m, there_m));
   }
   throw PlanInfeasible(fmt::format(
-      "{}: the way is blocked though the headland of {:.1f} m is deep enough; move the passes, "
+      "{}: the way is blocked though the headland of {:.1f} m is deep enough; {}move the passes, "
       "remove what is in the way or allow overruns (--allow-overrun)",
-      what, there_m));
+      what, there_m,
+      joining.worked != nullptr
+          ? "take another swath_order, headland_order: holes_first, or let wheels run over rows, "
+          : ""));
 }
 
 }  // namespace headland

@@ -8,6 +8,7 @@
 
 #include "planner/connection.h"
 #include "planner/join_lines.h"
+#include "planner/worked_rows.h"
 
 namespace headland {
 
@@ -22,6 +23,7 @@ struct LineJoining {
   int node_budget = 0;
   int manoeuvre = 0;
   Path path{};
+  WorkedGround* worked = nullptr;  // rows that wheels keep off, as `space` knows them; null: none
 };
 
 ConnectionOptions connection_options(const LineJoining& joining, double clearance_m);

@@ -65,6 +65,8 @@ struct Path {
   // In summaries of who made the path, not in path files:
   std::vector<LeftOutPass> left_out;  // optional passes that no turn leads to or away from
   TightestPlace tightest;
+  // Turns whose curvature jumps though continuous ones were asked for: none of those fits.
+  int abrupt_turns = 0;
 };
 
 double length_m(const PathSegment& segment);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "planner/cancel.h"
+#include "planner/polygon.h"
 #include "terrains/field.h"
 #include "terrains/heightfield.h"
 #include "terrains/parameter.h"
@@ -28,6 +29,26 @@ struct Pass {
   bool optional = false;  // left out where no turn leads there and away
 };
 
+// How many headland passes an edge of the field gets, where that is not as many as the others get.
+// It is named by a place on it, or by number (headland_edges.h).
+struct EdgeHeadland {
+  std::optional<Eigen::Vector2d> at_W;
+  int hole = 0;               // 0: the boundary
+  int edge = 0;               // 0: all edges of that ring
+  std::optional<int> passes;  // 0: none; without it as many as are width_m wide
+  double width_m = 0.0;
+};
+
+// An edge of a plan with its headland.
+struct PlannedEdge {
+  int hole = 0;
+  int edge = 0;
+  int passes = 0;
+  double width_m = 0.0;
+  Eigen::Vector2d from_W = Eigen::Vector2d::Zero();
+  Eigen::Vector2d to_W = Eigen::Vector2d::Zero();
+};
+
 struct DriveCost;
 
 struct PlanRequest {
@@ -43,7 +64,8 @@ struct PlanRequest {
   double clearance_m = 0.1;       // to be kept between hull and boundary, holes and obstacles
   // Through A and B, along which and with which in line swaths are laid; none: by parameters.
   std::optional<std::array<Eigen::Vector2d, 2>> ab_line_W;
-  Parameters parameters;  // resolved against the planner's specs
+  std::vector<EdgeHeadland> headland_edges;  // empty: all edges alike, by parameters
+  Parameters parameters;                     // resolved against the planner's specs
   std::uint64_t seed = 1;
   const DriveCost* cost = nullptr;  // measured ones; not owned; null: none
   CancelAsked cancelled;            // ends planning with Cancelled
@@ -52,9 +74,12 @@ struct PlanRequest {
 struct Plan {
   std::string planner;
   std::vector<Pass> passes;
-  double swath_direction_rad = 0.0;  // of the first swath's line, 0..pi
-  double headland_width_m = 0.0;
-  double planned_length_m = 0.0;  // of the passes alone
+  double swath_direction_rad = 0.0;         // of the first swath's line, 0..pi
+  double headland_width_m = 0.0;            // where it is widest
+  double planned_length_m = 0.0;            // of the passes alone
+  std::vector<PlannedEdge> headland_edges;  // where the request names some: all
+  // What swaths are not cut back into; none: the field without headland_width_m along its edges.
+  std::optional<PolygonSet> kept_whole;
 };
 
 // No plan or no drivable path exists for this request; what() says why and what would help.

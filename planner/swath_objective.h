@@ -2,6 +2,7 @@
 #pragma once
 
 #include "planner/drive_cost.h"
+#include "planner/headland_edges.h"
 #include "planner/line_energy.h"
 #include "planner/swaths.h"
 #include "terrains/heightfield.h"
@@ -24,5 +25,13 @@ SwathGridCost least_length();
 // has row turns. The ways to and from far swaths are not counted.
 SwathGridCost least_energy(const DriveCost& cost, const Heightfield* terrain);
 inline constexpr double kMostEnergySteps = 2e4;
+
+// `cost`, and kNoRoomCost for every end of a swath that runs into an edge that is too narrow for
+// turning, not further than a width from its headland, and kUnworkedCost for every metre of swath
+// that leaves `drivable` (kept_within).
+SwathGridCost with_room_to_turn(SwathGridCost cost, std::vector<NarrowEdge> narrow, double width_m,
+                                const PolygonSet& drivable);
+inline constexpr double kNoRoomCost = 1e6;
+inline constexpr double kUnworkedCost = 10.0;
 
 }  // namespace headland

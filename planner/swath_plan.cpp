@@ -130,7 +130,9 @@ void check_swath_parameters(const Parameters& parameters, const std::string& sou
                    fmt::format("only with swath_order skip or optimised, not with {}", order));
 }
 
-SwathGridCost swath_cost(const PlanRequest& request) {
+namespace {
+
+SwathGridCost objective_of(const PlanRequest& request) {
   const std::string& objective = word(request.parameters, "swath_objective");
   if (objective == "turns") return fewest_turns();
   if (objective == "length") return least_length();
@@ -146,8 +148,8 @@ SwathGridCost swath_cost(const PlanRequest& request) {
   return least_energy(*request.cost, request.terrain);
 }
 
-SwathGrid chosen_swaths(const PlanRequest& request, const PolygonSet& inner,
-                        const PolygonSet& drivable) {
+SwathGrid laid_swaths(const PlanRequest& request, const PolygonSet& inner,
+                      const PolygonSet& drivable, const std::vector<NarrowEdge>& narrow) {
   const double width_m = request.working_width_m;
   const double turn_m = turn_length_m(width_m, request.turning_radius_m);
   const auto direction_deg = number_unless_word(request.parameters, "swath_direction_deg");
@@ -161,8 +163,22 @@ SwathGrid chosen_swaths(const PlanRequest& request, const PolygonSet& inner,
     return lay_swaths(inner, drivable, std::fmod(*direction_deg, 180.0) * std::numbers::pi / 180.0,
                       width_m, turn_m);
   }
-  return best_swaths(request.field, inner, drivable, width_m, turn_m, swath_cost(request),
-                     request.cancelled);
+  return best_swaths(request.field, inner, drivable, width_m, turn_m,
+                     swath_cost(request, drivable, narrow), request.cancelled);
+}
+
+}  // namespace
+
+SwathGridCost swath_cost(const PlanRequest& request, const PolygonSet& drivable,
+                         const std::vector<NarrowEdge>& narrow) {
+  return with_room_to_turn(objective_of(request), narrow, request.working_width_m, drivable);
+}
+
+SwathGrid chosen_swaths(const PlanRequest& request, const PolygonSet& inner,
+                        const PolygonSet& drivable, const std::vector<NarrowEdge>& narrow) {
+  SwathGrid grid = laid_swaths(request, inner, drivable, narrow);
+  // Without a headland only an edge itself ends what swaths reach.
+  return narrow.empty() ? grid : kept_within(grid, drivable);
 }
 
 std::vector<SwathCell> patterned_cells(const SwathGrid& grid, const PlanRequest& request) {

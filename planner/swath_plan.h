@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/headland_edges.h"
 #include "planner/plan.h"
 #include "planner/polygon.h"
 #include "planner/swath_cells.h"
@@ -24,12 +25,14 @@ void check_swath_parameters(const Parameters& parameters, const std::string& sou
 // The lines of ab_line_W where the request has one, else in `swath_direction_deg`, else in the
 // direction that is best by `swath_objective` (swath_objective.h). Throws InputError for an A-B
 // line that does not come into the field, or with a direction besides it, and for energy without
-// costs; PlanInfeasible as lay_swaths; Cancelled.
+// costs; PlanInfeasible as lay_swaths; Cancelled. A direction in which swaths run into `narrow`
+// edges is the best one only where all do.
 SwathGrid chosen_swaths(const PlanRequest& request, const PolygonSet& inner,
-                        const PolygonSet& drivable);
+                        const PolygonSet& drivable, const std::vector<NarrowEdge>& narrow = {});
 
 // What that direction is best by.
-SwathGridCost swath_cost(const PlanRequest& request);
+SwathGridCost swath_cost(const PlanRequest& request, const PolygonSet& drivable,
+                         const std::vector<NarrowEdge>& narrow);
 
 // Cells of the grid with their swaths in the sequence of `swath_order` (of `optimised`: as they
 // lie).

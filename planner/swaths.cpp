@@ -236,6 +236,22 @@ SwathGrid lay_swaths(const PolygonSet& inner, const PolygonSet& drivable, double
   return grid;
 }
 
+SwathGrid kept_within(const SwathGrid& grid, const PolygonSet& drivable) {
+  if (grid.swaths.empty()) return grid;
+  SwathGrid kept = grid;
+  kept.swaths.clear();
+  const std::vector<Intervals> open = cross_sections(edges_along(drivable, grid.direction_rad),
+                                                     grid.first_line_m, grid.spacing_m, grid.lines);
+  for (const Swath& swath : grid.swaths) {
+    for (const Interval& interval : open[static_cast<std::size_t>(swath.line)]) {
+      const double from_m = std::max(swath.from_m, interval.from_m);
+      const double to_m = std::min(swath.to_m, interval.to_m);
+      if (to_m - from_m >= kLeastKept_m) kept.swaths.push_back({swath.line, from_m, to_m});
+    }
+  }
+  return kept;
+}
+
 SwathGrid best_swaths(const Field& field, const PolygonSet& inner, const PolygonSet& drivable,
                       double width_m, double bridge_m, const SwathGridCost& cost,
                       const CancelAsked& cancelled) {

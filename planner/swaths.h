@@ -52,6 +52,11 @@ SwathGrid lay_swaths(const PolygonSet& inner, const PolygonSet& drivable, double
                      double width_m, double bridge_m,
                      std::optional<double> through_m = std::nullopt);
 
+// Swaths as far as the middle of each runs in `drivable`; pieces shorter than kLeastKept_m are left
+// out.
+SwathGrid kept_within(const SwathGrid& grid, const PolygonSet& drivable);
+inline constexpr double kLeastKept_m = 2.0;
+
 // What a grid of swaths costs, less being better (swath_objective.h).
 using SwathGridCost = std::function<double(const SwathGrid&)>;
 

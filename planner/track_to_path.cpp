@@ -78,6 +78,7 @@ std::string pauses_note(const TrackPauses& pauses) {
 Path make_drivable(const Field& field, const Vehicle& vehicle, const Track& track,
                    double tolerance_m, const PathOptions& options, TrackReport* report,
                    const CancelAsked& cancelled) {
+  check_path_options(vehicle, options);
   const double ahead_m = track.of_vehicle ? 0.0 : -vehicle.implement.x_B_m;
   const TrackPieces found =
       track_pieces(track, tolerance_m, planning_turning_radius_m(vehicle), ahead_m);

@@ -125,6 +125,29 @@ double work_along(WorkedGround& ground, const std::vector<Vector2d>& line_W, dou
   return sum_m2;
 }
 
+void unwork(WorkedGround& ground, const Quadrangle& quadrangle) {
+  add_loop(ground, quadrangle);
+  visit_inside(ground, [](GroundState& state) {
+    if (state == GroundState::kWorked) state = GroundState::kToWork;
+  });
+}
+
+void leave_to_work(WorkedGround& ground, const PolygonSet& set) {
+  std::vector<char> kept(ground.cells.size(), 0);
+  for (const PolygonPart& part : set.parts) {
+    add_loop(ground, part.outer);
+    for (const Ring& hole : part.holes) add_loop(ground, hole);
+    fill(ground.scratch, [&](int row, int begin, int end) {
+      for (int column = begin; column < end; ++column) kept[ground.index(column, row)] = 1;
+    });
+  }
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (kept[i] == 0 && ground.cells[i] == GroundState::kToWork) {
+      ground.cells[i] = GroundState::kWorked;
+    }
+  }
+}
+
 double work_driven(WorkedGround& ground, const std::vector<PathPoint>& points, double bar_x_m,
                    double width_m) {
   const auto middle_W = [&](const PathPoint& point) -> Vector2d {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "planner/path.h"
+#include "planner/polygon.h"
 #include "planner/scanline.h"
 #include "terrains/field.h"
 
@@ -57,6 +58,12 @@ double to_work_m2(const WorkedGround& ground);
 
 // What a bar of `width_m` covers when its middle is pulled along `line_W`, square to it.
 double work_along(WorkedGround& ground, const std::vector<Eigen::Vector2d>& line_W, double width_m);
+
+// Takes it back: cells in it are to be worked again.
+void unwork(WorkedGround& ground, const Quadrangle& quadrangle);
+
+// Takes all ground outside the set for worked.
+void leave_to_work(WorkedGround& ground, const PolygonSet& set);
 
 // What a bar covers that is fixed square to a vehicle, its middle `bar_x_m` ahead of B's origin:
 // behind an axle that turns it swings out, by 0.26 m at 1.5 m on a radius of 4.4 m.

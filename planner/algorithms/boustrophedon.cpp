@@ -7,11 +7,13 @@
 #include "planner/edge_passes.h"
 #include "planner/fill_passes.h"
 #include "planner/free_space.h"
+#include "planner/headland_by_edge.h"
 #include "planner/headland_order.h"
 #include "planner/headland_rings.h"
 #include "planner/pass_order.h"
 #include "planner/request_check.h"
 #include "planner/swath_plan.h"
+#include "planner/work_line.h"
 #include "terrains/input_error.h"
 
 namespace headland {
@@ -54,6 +56,59 @@ void append_filling(const PlanRequest& request, double direction_rad, const Free
   }
 }
 
+Plan plan_along(const SwathGrid& grid, const Headland& headland, const PlanRequest& request) {
+  Plan plan;
+  plan.planner = "boustrophedon";
+  plan.swath_direction_rad = grid.direction_rad;
+  plan.headland_width_m = headland.width_m;
+  plan.headland_edges = headland.edges;
+  if (!headland.edges.empty()) {
+    plan.kept_whole = kept_whole(request, headland.edged, headland.inside, grid.direction_rad);
+  }
+  return plan;
+}
+
+// Appends a round's passes as far as they lie along edges that have it, and works their ground.
+void append_round(const PlanRequest& request, const FreeSpace& space, const PolygonSet& field,
+                  double distance_m, int round, const Headland& headland, WorkedGround& ground,
+                  std::vector<EdgePass>& edges) {
+  const EdgeOptions options{number(request.parameters, "overhang_m"), 1.0};
+  if (headland.edges.empty()) {
+    for (EdgePass& edge : edge_round(request, space, field, distance_m, round, options, ground)) {
+      edges.push_back(std::move(edge));
+    }
+    return;
+  }
+  WorkedGround wanted = ground;
+  leave_to_work(wanted, zone_beside(headland.edged, {round + 1, kMostRounds},
+                                    distance_m + 0.5 * request.working_width_m));
+  for (EdgePass& edge : edge_round(request, space, field, distance_m, round, options, wanted)) {
+    for (Polyline& line_W :
+         stretches_along(headland.edged, edge.line_W, distance_m, request.working_width_m, round)) {
+      edge.closed = edge.closed && line_W.size() == edge.line_W.size();
+      const Pass pass{PassKind::kHeadlandPass, line_W};
+      work_driven(ground, work_line(pass, request.implement_x_B_m).points, request.implement_x_B_m,
+                  request.working_width_m);
+      edges.push_back({edge.round, edge.ring, edge.around_hole, edge.closed, std::move(line_W)});
+    }
+  }
+}
+
+// The headland of covered corners, without rings.
+Headland headland_around(const PlanRequest& request, const PolygonSet& field, int rounds) {
+  const double first_m = edge_distance_m(request);
+  const double width_m = request.working_width_m;
+  Headland headland;
+  if (request.headland_edges.empty()) {
+    headland.rounds = rounds;
+    headland.width_m = first_m + (rounds - 0.5) * width_m;
+    headland.inner = buffered(field, -headland.width_m, Join::kRound);
+    headland.drivable = buffered(field, -first_m, Join::kRound);
+    return headland;
+  }
+  return ground_by_edge(request, field, first_m, edge_rounds(request, rounds, first_m));
+}
+
 // Everything that can be reached is worked, corners too.
 Plan plan_whole(const PlanRequest& request, int rounds) {
   const double width_m = request.working_width_m;
@@ -61,22 +116,13 @@ Plan plan_whole(const PlanRequest& request, int rounds) {
   const FreeSpace space = free_space(request.field, hull_of(request));
   WorkedGround ground = ground_to_work(request.field);
   const PolygonSet field = from_field(request.field, kObstacleClearances * request.clearance_m);
+  const Headland headland = headland_around(request, field, rounds);
   std::vector<EdgePass> edges;
-  for (int round = 0; round < rounds; ++round) {
-    for (EdgePass& edge : edge_round(request, space, field, first_m + round * width_m, round,
-                                     {number(request.parameters, "overhang_m"), 1.0}, ground)) {
-      edges.push_back(std::move(edge));
-    }
+  for (int round = 0; round < headland.rounds; ++round) {
+    append_round(request, space, field, first_m + round * width_m, round, headland, ground, edges);
   }
-  Headland headland;
-  headland.width_m = first_m + (rounds - 0.5) * width_m;
-  headland.inner = buffered(field, -headland.width_m, Join::kRound);
-  headland.drivable = buffered(field, -first_m, Join::kRound);
-  const SwathGrid grid = chosen_swaths(request, headland.inner, headland.drivable);
-  Plan plan;
-  plan.planner = "boustrophedon";
-  plan.swath_direction_rad = grid.direction_rad;
-  plan.headland_width_m = headland.width_m;
+  const SwathGrid grid = chosen_swaths(request, headland.inner, headland.drivable, headland.narrow);
+  Plan plan = plan_along(grid, headland, request);
   for (const Swath& swath : grid.swaths) {
     work_along(ground,
                {point_on_line(grid, swath.line, swath.from_m),
@@ -84,15 +130,11 @@ Plan plan_whole(const PlanRequest& request, int rounds) {
                width_m);
   }
   const bool headland_first = word(request.parameters, "headland_order") == "first";
-  if (headland_first) {
-    append_filling(request, grid.direction_rad, space, ground, plan.passes);
-    append_edge_passes(edges, true, request, plan.passes);
-  }
+  if (headland_first) append_filling(request, grid.direction_rad, space, ground, plan.passes);
+  append_edge_passes_before(edges, request, plan.passes);
   append_swaths(grid, request, plan.passes);
-  if (!headland_first) {
-    append_edge_passes(edges, false, request, plan.passes);
-    append_filling(request, grid.direction_rad, space, ground, plan.passes);
-  }
+  append_edge_passes_after(edges, request, plan.passes);
+  if (!headland_first) append_filling(request, grid.direction_rad, space, ground, plan.passes);
   for (const Pass& pass : plan.passes) plan.planned_length_m += length_m(pass.points_W);
   return plan;
 }
@@ -141,16 +183,11 @@ Plan plan_boustrophedon(const PlanRequest& asked_for) {
   const int rounds = asked_rounds(request);
   if (covers_corners(request.parameters)) return plan_whole(request, rounds);
   const Headland headland = make_headland(request, rounds);
-  const SwathGrid grid = chosen_swaths(request, headland.inner, headland.drivable);
-
-  Plan plan;
-  plan.planner = "boustrophedon";
-  plan.swath_direction_rad = grid.direction_rad;
-  plan.headland_width_m = headland.width_m;
-  const bool headland_first = word(request.parameters, "headland_order") == "first";
-  if (headland_first) append_rings(headland, true, request, plan.passes);
+  const SwathGrid grid = chosen_swaths(request, headland.inner, headland.drivable, headland.narrow);
+  Plan plan = plan_along(grid, headland, request);
+  append_rings_before(headland, request, plan.passes);
   append_swaths(grid, request, plan.passes);
-  if (!headland_first) append_rings(headland, false, request, plan.passes);
+  append_rings_after(headland, request, plan.passes);
   for (const Pass& pass : plan.passes) plan.planned_length_m += length_m(pass.points_W);
   return plan;
 }

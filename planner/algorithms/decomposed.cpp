@@ -7,6 +7,7 @@
 
 #include "planner/algorithms/region_exact.h"
 #include "planner/algorithms/region_local_search.h"
+#include "planner/headland_by_edge.h"
 #include "planner/headland_order.h"
 #include "planner/headland_rings.h"
 #include "planner/line_energy.h"
@@ -54,8 +55,9 @@ std::vector<PolygonSet> parts_of(const PolygonSet& ground, const PlanRequest& re
 
 // Swaths of each part in its own direction, or of all of them in one where that costs no more.
 std::vector<SwathGrid> grids_of(const PlanRequest& request, const Headland& headland) {
-  const SwathGridCost cost = swath_cost(request);
-  std::vector<SwathGrid> whole{chosen_swaths(request, headland.inner, headland.drivable)};
+  const SwathGridCost cost = swath_cost(request, headland.drivable, headland.narrow);
+  std::vector<SwathGrid> whole{
+      chosen_swaths(request, headland.inner, headland.drivable, headland.narrow)};
   const bool given =
       request.ab_line_W || number_unless_word(request.parameters, "swath_direction_deg");
   if (given || headland.inner.parts.empty()) return whole;
@@ -65,7 +67,7 @@ std::vector<SwathGrid> grids_of(const PlanRequest& request, const Headland& head
   for (const PolygonSet& part : parts_of(headland.inner, request)) {
     for_part.field.boundary = part.parts.front().outer;  // whose edges are directions to try
     for_part.field.holes = part.parts.front().holes;
-    grids.push_back(chosen_swaths(for_part, part, headland.drivable));
+    grids.push_back(chosen_swaths(for_part, part, headland.drivable, headland.narrow));
     sum += cost(grids.back());
   }
   return sum < cost(whole.front()) ? grids : whole;
@@ -164,10 +166,16 @@ Plan plan_decomposed(const PlanRequest& asked_for) {
   plan.planner = "decomposed";
   plan.swath_direction_rad = grids.front().direction_rad;
   plan.headland_width_m = headland.width_m;
-  const bool headland_first = word(request.parameters, "headland_order") == "first";
-  if (headland_first) append_rings(headland, true, request, plan.passes);
+  plan.headland_edges = headland.edges;
+  if (!headland.edges.empty()) {
+    plan.kept_whole = headland.inside;
+    for (const SwathGrid& grid : grids) {
+      plan.kept_whole = kept_whole(request, headland.edged, *plan.kept_whole, grid.direction_rad);
+    }
+  }
+  append_rings_before(headland, request, plan.passes);
   append_pieces(grids, request, plan.passes);
-  if (!headland_first) append_rings(headland, false, request, plan.passes);
+  append_rings_after(headland, request, plan.passes);
   for (const Pass& pass : plan.passes) plan.planned_length_m += length_m(pass.points_W);
   return plan;
 }

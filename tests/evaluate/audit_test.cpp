@@ -152,6 +152,22 @@ TEST(Audit, BacksOutOfShortLegsAndFindsTurnsThatAreLeftOut) {
   EXPECT_EQ(totals_of(rows, AuditFault::kTooTight).places, 1);
 }
 
+// Three rows; the way from the second to the third leads across the first or around its end.
+TEST(Audit, MetresOverWorkedGroundAreThoseOfWheelsAcrossRows) {
+  const Vehicle vehicle = load_vehicle("transplanter");
+  const auto over_m = [&](double crossing_x_m) {
+    const double row_y_m = 30.0;
+    std::vector<PathLine> lines{{{{10, row_y_m}, {30, row_y_m}}, true, false}};
+    lines.push_back({{{crossing_x_m, 40}, {crossing_x_m, 20}}, false, false});
+    return audit_path(audited_field(), vehicle, lines, kAuditCell_m).over_worked.length_m;
+  };
+  // Each axle crosses it, both at once where the row is wider than the wheelbase.
+  const double row_m = kRowShare * vehicle.implement.working_width_m;
+  const double crossed_m = row_m + std::min(row_m, wheelbase_m(vehicle));
+  EXPECT_NEAR(over_m(20.0), crossed_m, 4.0 * kGroundCell_m);
+  EXPECT_EQ(over_m(40.0), 0.0);
+}
+
 TEST(Audit, JumpsAreWhatDoesNotGoOnWhereItEnded) {
   const Vehicle vehicle = load_vehicle("transplanter");
   const auto two_lines = [&](double gap_m) {

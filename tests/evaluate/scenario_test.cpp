@@ -177,6 +177,55 @@ TEST_F(ScenarioTest, AGuidanceLineIsReadWrittenAndBroughtToW) {
               HasSubstr("only of planners on fields"));
 }
 
+TEST_F(ScenarioTest, HeadlandEdgesAreReadWrittenAndBroughtToW) {
+  const std::string field =
+      "field: {boundary: [[11.5, 48.1], [11.502, 48.1], [11.502, 48.101], [11.5, 48.101]], "
+      "crs: EPSG:4326}\nvehicle: transplanter\n";
+  const std::string edges =
+      "planner: {headland_edges: [{at: [11.501, 48.1], passes: 0}, {edge: 3, width_m: 7.5}, "
+      "{hole: 2, passes: 1}]}\n";
+  const Scenario scenario = read(field + edges);
+  ASSERT_EQ(scenario.planner.headland_edges.size(), 3U);
+  const auto& again = read(scenario_yaml(scenario)).planner.headland_edges;
+  ASSERT_EQ(again.size(), 3U);
+  EXPECT_EQ(again[0].at_W, scenario.planner.headland_edges[0].at_W);
+  EXPECT_EQ(again[0].passes, 0);
+  EXPECT_EQ(again[1].edge, 3);
+  EXPECT_FALSE(again[1].passes);
+  EXPECT_DOUBLE_EQ(again[1].width_m, 7.5);
+  EXPECT_EQ(again[2].hole, 2);
+  const Stage stage = load_stage(scenario);
+  const PlanRequest request = plan_request(scenario, stage);
+  ASSERT_TRUE(request.headland_edges[0].at_W);
+  // In the middle of the lower edge.
+  EXPECT_NEAR(field_clearance_m(stage.field, *request.headland_edges[0].at_W), 0.0, 0.01);
+  const auto refused = [&](const std::string& entry) {
+    return refusal(field + "planner: {headland_edges: [" + entry + "]}\n");
+  };
+  EXPECT_THAT(refused("{passes: 1}"), HasSubstr("which edge is missing"));
+  EXPECT_THAT(refused("{at: [1, 2], edge: 1, passes: 1}"), HasSubstr("not both"));
+  EXPECT_THAT(refused("{edge: 1}"), HasSubstr("how wide is missing"));
+  EXPECT_THAT(refused("{edge: 1, passes: 1, width_m: 3}"),
+              HasSubstr("passes or width_m, not both"));
+  EXPECT_THAT(refused("{edge: 1, passes: 21}"), HasSubstr("passes"));
+  EXPECT_THAT(refused("{edge: 0, passes: 1}"), HasSubstr("edge"));
+  EXPECT_THAT(refused("{edge: 1, passes: 1, pases: 2}"), HasSubstr("pases"));
+  EXPECT_THAT(
+      refusal(field + "planner: {name: grid_tplp, headland_edges: [{edge: 1, passes: 1}]}\n"),
+      HasSubstr("only of planners on fields"));
+}
+
+TEST_F(ScenarioTest, PathOptionsAreReadAndWritten) {
+  const Scenario scenario = read(
+      "field: {boundary: [[0, 0], [60, 0], [60, 40], [0, 40]]}\nvehicle: transplanter\n"
+      "path: {keep_off_worked: true, continuous_turns: true}\n");
+  EXPECT_TRUE(scenario.path.keep_off_worked);
+  EXPECT_TRUE(scenario.path.continuous_turns);
+  const Scenario again = read(scenario_yaml(scenario));
+  EXPECT_TRUE(again.path.keep_off_worked);
+  EXPECT_TRUE(again.path.continuous_turns);
+}
+
 TEST_F(ScenarioTest, FilePathsStartAtTheScenarioAndBecomeAbsolute) {
   std::ofstream(folder_ / "boundary.geojson") << "{}";
   const Scenario scenario = read("field: {file: boundary.geojson}\nvehicle: transplanter\n");

@@ -68,6 +68,25 @@ TEST(Boustrophedon, HeadlandComesFirstFromOutsideOrLastFromInside) {
   EXPECT_GT(length_m(first.passes[0].points_W), length_m(first.passes[1].points_W));
 }
 
+TEST(Boustrophedon, RoundsAroundHolesMayComeBeforeTheSwathsAndTheOthersAfter) {
+  Field field = square();
+  field.holes = {reversed(rectangle_ring(60, 60, 90, 90))};
+  PlanRequest request = tractor(field);
+  request.parameters["headland_order"] = std::string("holes_first");
+  const Plan plan = plan_boustrophedon(request);
+  const auto around_hole = [](const Pass& pass) {
+    return std::ranges::all_of(pass.points_W, [](const Eigen::Vector2d& p_W) {
+      return (p_W - Eigen::Vector2d(75, 75)).norm() < 60.0;
+    });
+  };
+  ASSERT_GE(plan.passes.size(), 6U);
+  for (std::size_t i = 0; i < plan.passes.size(); ++i) {
+    if (plan.passes[i].kind == PassKind::kSwath) continue;
+    EXPECT_EQ(around_hole(plan.passes[i]), i < 2) << i;
+    EXPECT_TRUE(i < 2 || i + 2 >= plan.passes.size()) << i;
+  }
+}
+
 TEST(Boustrophedon, WorkBeginsNearTheEntry) {
   for (const Eigen::Vector2d& corner : {Eigen::Vector2d(0, 0), Eigen::Vector2d(150, 150)}) {
     PlanRequest request = tractor(square());

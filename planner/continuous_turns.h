@@ -1,0 +1,35 @@
+// Turns whose curvature has no jumps, because steering takes its time.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "planner/turns.h"
+#include "vehicle_models/vehicle.h"
+
+namespace headland {
+
+// By how much [1/m2] the curvature changes a metre when the vehicle steers as fast as it can at its
+// turning speed, near straight ahead, where steering changes the curvature least. 0 for skid
+// steering, which needs no time.
+double turning_sharpness_per_m2(const Vehicle& vehicle);
+
+// The turn with clothoids in place of jumps of curvature: every arc begins and ends straight, in
+// ramps of that sharpness, and where it turns too little for its full curvature it has none. At
+// changes of gear, and where the vehicle stops for one before or after the turn, the wheels are
+// turned at standstill. (Arcs of this kind: Scheuer and Fraichard 1997.) The lengths of its pieces
+// are found by Newton's method from those of `arcs`, to within kContinuousEnd; none when that
+// does not lead to a turn, or to one with odd runs. Curvatures are multiplied by `tightened`, for
+// words found with a larger radius.
+std::optional<Turn> continuous_turn(const Pose& from, const Pose& to, const std::vector<Arc>& arcs,
+                                    double sharpness_per_m2, double tightened = 1.0);
+inline constexpr double kContinuousEnd = 1e-7;  // m and rad
+
+// Radius of the circle, in place of one of radius_m, on which an arc with its ramps ends.
+double ramped_radius_m(double radius_m, double sharpness_per_m2);
+
+// Whether curvature does not jump along the arcs, between passes that are driven straight forward,
+// but where the vehicle stops.
+bool is_continuous(const std::vector<Arc>& arcs);
+
+}  // namespace headland

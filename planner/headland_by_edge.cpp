@@ -1,0 +1,259 @@
+#include "planner/headland_by_edge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "planner/free_space.h"
+#include "planner/outline.h"
+#include "planner/segment.h"
+#include "planner/work_line.h"
+
+namespace headland {
+namespace {
+
+using Eigen::Vector2d;
+
+// Shorter stretches of a round are not worth coming to [working widths].
+constexpr double kShortestStretch = 1.0;
+constexpr std::size_t kLeastPoints = 4;  // of a stretch that has a direction
+
+// A line beside an edge is as far from it as its round, to within so many working widths.
+constexpr double kBesideTolerance = 0.5;
+
+// Swaths spread evenly may lie closer than a working width, by this share of it.
+constexpr double kLeastSpacing = 0.9;
+
+bool holds(const PolygonSet& set, const Vector2d& p_W) {
+  return std::ranges::any_of(set.parts, [&](const PolygonPart& part) {
+    return inside_ring(part.outer, p_W) && std::ranges::none_of(part.holes, [&](const Ring& hole) {
+             return inside_ring(hole, p_W);
+           });
+  });
+}
+
+HeadlandRing ring_along(const HeadlandRing& whole, Polyline line_W) {
+  HeadlandRing ring{whole.round, whole.around_hole, std::move(line_W), {}};
+  for (const Vector2d& p_W : ring.line_W) ring.box_W.extend(p_W);
+  return ring;
+}
+
+// Cuts the ends of a stretch back to where the hull fits that follows it, either way round: the
+// vehicle runs straight on as far as the implement is behind.
+void cut_to_fit(const PlanRequest& request, const FreeSpace& space, Polyline& line_W) {
+  for (int end = 0; end < 2; ++end) {
+    const auto fits_at_end = [&] {
+      const WorkLine line = work_line({PassKind::kHeadlandPass, line_W}, request.implement_x_B_m);
+      return fits(space, pose_of(line.points.back()), request.clearance_m);
+    };
+    while (line_W.size() > kLeastPoints && !fits_at_end()) line_W.pop_back();
+    std::ranges::reverse(line_W);
+  }
+}
+
+// The stretches of a closed ring whose places are wanted; the ring itself where all are.
+template <typename Wanted>  // bool(const Vector2d&)
+void append_stretches(const HeadlandRing& ring, const PlanRequest& request, const FreeSpace& space,
+                      Wanted wanted, std::vector<HeadlandRing>& stretches) {
+  const double shortest_m = kShortestStretch * request.working_width_m;
+  const std::size_t count = ring.line_W.size() - 1;
+  std::vector<char> is_wanted(count, 0);
+  for (std::size_t i = 0; i < count; ++i) is_wanted[i] = wanted(ring.line_W[i]) ? 1 : 0;
+  const auto unwanted = std::ranges::find(is_wanted, 0);
+  if (unwanted == is_wanted.end()) {
+    stretches.push_back(ring);
+    return;
+  }
+  const auto first = static_cast<std::size_t>(unwanted - is_wanted.begin());
+  Polyline line_W;
+  for (std::size_t step = 1; step <= count; ++step) {
+    const std::size_t i = (first + step) % count;
+    if (is_wanted[i] != 0) {
+      line_W.push_back(ring.line_W[i]);
+      continue;
+    }
+    if (line_W.size() > kLeastPoints) cut_to_fit(request, space, line_W);
+    if (length_m(line_W) >= shortest_m) stretches.push_back(ring_along(ring, std::move(line_W)));
+    line_W.clear();
+  }
+}
+
+}  // namespace
+
+namespace {
+
+// Rounds of the edge that a line runs along; 0 where there is none.
+int rounds_beside(const EdgedGround& edged, const Vector2d& p_W, const Vector2d& along,
+                  double distance_m, double tolerance_m) {
+  int rounds = 0;
+  double best = 0.0;
+  std::size_t ring = 0;
+  const auto look = [&](const Ring& points) {
+    const std::vector<int>& of_edges = edged.rounds[ring++];
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vector2d& a_W = points[i];
+      const Vector2d& b_W = points[(i + 1) % points.size()];
+      if (std::abs(distance_to_segment(p_W, a_W, b_W) - distance_m) > tolerance_m) continue;
+      const double alike = std::abs(along.dot((b_W - a_W).normalized()));
+      if (alike <= best) continue;
+      best = alike;
+      rounds = of_edges[i];
+    }
+  };
+  for (const PolygonPart& part : edged.ground.parts) {
+    look(part.outer);
+    for (const Ring& hole : part.holes) look(hole);
+  }
+  return rounds;
+}
+
+}  // namespace
+
+std::vector<Polyline> stretches_along(const EdgedGround& edged, const Polyline& line_W,
+                                      double distance_m, double width_m, int round) {
+  std::vector<Polyline> stretches(1);
+  for (std::size_t i = 0; i < line_W.size(); ++i) {
+    const Vector2d along = line_W[std::min(i + 1, line_W.size() - 1)] - line_W[i == 0 ? 0 : i - 1];
+    if (rounds_beside(edged, line_W[i], along.normalized(), distance_m,
+                      kBesideTolerance * width_m) > round) {
+      stretches.back().push_back(line_W[i]);
+    } else if (!stretches.back().empty()) {
+      stretches.emplace_back();
+    }
+  }
+  std::erase_if(stretches, [&](const Polyline& stretch) {
+    return length_m(stretch) < kShortestStretch * width_m;
+  });
+  return stretches;
+}
+
+std::vector<PlannedEdge> planned_edges(const EdgeRounds& edges, double width_m, double first_m) {
+  std::vector<PlannedEdge> planned;
+  for (std::size_t i = 0; i < edges.edges.size(); ++i) {
+    const FieldEdge& edge = edges.edges[i];
+    const int rounds = edges.rounds[i];
+    planned.push_back({edge.hole, edge.edge, rounds,
+                       rounds == 0 ? 0.0 : first_m + (rounds - 0.5) * width_m, edge.line_W.front(),
+                       edge.line_W.back()});
+  }
+  return planned;
+}
+
+std::vector<NarrowEdge> narrow_edges(const PlanRequest& request, const EdgeRounds& edges,
+                                     double first_m) {
+  const int enough = rounds_for_turning(request);
+  std::vector<NarrowEdge> narrow;
+  for (std::size_t i = 0; i < edges.edges.size(); ++i) {
+    const int rounds = edges.rounds[i];
+    if (rounds >= enough) continue;
+    const double width_m = rounds == 0 ? 0.0 : first_m + (rounds - 0.5) * request.working_width_m;
+    narrow.push_back({edges.edges[i].line_W, width_m});
+  }
+  return narrow;
+}
+
+PolygonSet kept_whole(const PlanRequest& request, const EdgedGround& edged,
+                      const PolygonSet& inside, double direction_rad) {
+  constexpr int kGrazed = -1;
+  const int enough = rounds_for_turning(request);
+  EdgedGround grazed = edged;
+  std::size_t ring = 0;
+  const auto mark = [&](const Ring& points) {
+    std::vector<int>& rounds = grazed.rounds[ring++];
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vector2d run = points[(i + 1) % points.size()] - points[i];
+      if (rounds[i] < enough && is_grazed(run, direction_rad)) rounds[i] = kGrazed;
+    }
+  };
+  for (const PolygonPart& part : edged.ground.parts) {
+    mark(part.outer);
+    for (const Ring& hole : part.holes) mark(hole);
+  }
+  return difference(inside, zone_beside(grazed, {kGrazed, kGrazed}, turning_depth_m(request)));
+}
+
+Headland ground_by_edge(const PlanRequest& request, const PolygonSet& field, double first_m,
+                        const EdgeRounds& edges) {
+  const double width_m = request.working_width_m;
+  const int most = std::max(most_rounds(edges), request.field.obstacles.empty() ? 0 : edges.others);
+  Headland headland;
+  headland.rounds = most;
+  headland.width_m = most == 0 ? 0.0 : first_m + (most - 0.5) * width_m;
+  headland.edged = edged_ground(field, edges);
+  headland.edges = planned_edges(edges, width_m, first_m);
+  headland.narrow = narrow_edges(request, edges, first_m);
+  const EdgedGround& edged = headland.edged;
+  const double hull_m = 0.5 * request.vehicle_width_m + request.clearance_m;
+  headland.drivable = difference(
+      field, united(std::vector<PolygonSet>{zone_beside(edged, {1, kMostRounds}, first_m),
+                                            zone_beside(edged, {0, 0}, hull_m)}));
+  std::vector<PolygonSet> zones;
+  zones.reserve(static_cast<std::size_t>(most) + 1);
+  for (int round = 0; round < most; ++round) {
+    zones.push_back(
+        zone_beside(edged, {round + 1, kMostRounds}, first_m + (round + 0.5) * width_m));
+  }
+  // An implement no wider than the hull would take it over an edge without headland.
+  zones.push_back(zone_beside(edged, {0, 0}, hull_m - kLeastSpacing * 0.5 * width_m));
+  headland.inside = difference(field, united(zones));
+  headland.inner = headland.inside;
+  return headland;
+}
+
+Headland headland_by_edge(const PlanRequest& request, const PolygonSet& field,
+                          const FirstRound& first, const EdgeRounds& edges) {
+  const double width_m = request.working_width_m;
+  const double first_m = first.distance_m;
+  Headland headland = ground_by_edge(request, field, first_m, edges);
+  const EdgedGround& edged = headland.edged;
+  const bool corners_are_worked = !request.forward_only;
+  const auto beside = [&](const PolygonSet& ground, double distance_m) {
+    return simplified(buffered(ground, distance_m, Join::kRound), kOutlineTolerance_m);
+  };
+  const FreeSpace space = free_space(request.field, hull_of(request));
+  PolygonSet worked;  // by the rounds so far
+  PolygonSet inside_before = field;
+  std::vector<PolygonSet> left;
+  for (int round = 0; round < headland.rounds; ++round) {
+    stop_if(request.cancelled);
+    const double distance_m = first_m + round * width_m;
+    const double radius_m = kRadiusMargin * request.turning_radius_m;
+    // Beside edges with fewer rounds every round swings as near to them as the first one.
+    const double corner_radius_m = kRadiusMargin * first.radius_m;
+    const RoundsRange with{round + 1, kMostRounds};
+    const PolygonSet zone = zone_beside(edged, with, distance_m + 0.5 * width_m);
+    const PolygonSet ground =
+        difference(field, united(std::vector<PolygonSet>{zone_beside(edged, with, distance_m),
+                                                         zone_beside(edged, {0, round}, first_m)}));
+    const HeadlandRound made =
+        round_along(ground, round, {radius_m, corner_radius_m, field, first_m}, request);
+    for (const HeadlandRing& ring : made.rings) {
+      append_stretches(
+          ring, request, space,
+          [&](const Vector2d& p_W) { return holds(zone, p_W) && !holds(worked, p_W); },
+          headland.rings);
+    }
+    if (round > 0 && corners_are_worked) {
+      left.push_back(worth_working(
+          intersection(zone, difference(inside_before, beside(made.ground, 0.5 * width_m))),
+          width_m));
+    }
+    inside_before = united(
+        std::vector<PolygonSet>{difference(inside_before, zone),
+                                intersection(inside_before, beside(made.ground, -0.5 * width_m))});
+    worked = united(std::vector<PolygonSet>{worked, zone});
+  }
+  if (corners_are_worked && headland.rounds > 0) {
+    left.push_back(worth_working(difference(inside_before, headland.inside), width_m));
+  }
+  // In corners beside edges that are too narrow for turning nothing more can be come to.
+  const PolygonSet without_room =
+      zone_beside(edged, {0, rounds_for_turning(request) - 1}, turning_depth_m(request));
+  for (PolygonSet& ground : left) ground = difference(ground, without_room);
+  left.push_back(headland.inside);
+  headland.inner = united(left);
+  if (headland.rings.empty() && headland.rounds > 0) refuse_headland(request, field, first);
+  return headland;
+}
+
+}  // namespace headland
