@@ -55,3 +55,5 @@ with skip "swath_order: skip"
 with spiral "swath_order: spiral"
 with optimised "swath_order: optimised"
 planning parts examples/two_arms.yaml
+planning edges examples/irregular_edges.yaml
+planning off_rows examples/slanted_ends.yaml
