@@ -78,10 +78,6 @@ void append_stretches(const HeadlandRing& ring, const PlanRequest& request, cons
   }
 }
 
-}  // namespace
-
-namespace {
-
 // Rounds of the edge that a line runs along; 0 where there is none.
 int rounds_beside(const EdgedGround& edged, const Vector2d& p_W, const Vector2d& along,
                   double distance_m, double tolerance_m) {
