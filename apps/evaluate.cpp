@@ -5,8 +5,10 @@
 
 #include "apps/commands.h"
 #include "apps/interrupt.h"
+#include "apps/plan_summary.h"
 #include "apps/report_stage.h"
 #include "apps/summary.h"
+#include "apps/summary_rows.h"
 #include "apps/terminal_text.h"
 #include "evaluate/results.h"
 #include "terrains/json_text.h"

@@ -7,6 +7,7 @@
 
 #include "apps/commands.h"
 #include "apps/interrupt.h"
+#include "apps/plan_summary.h"
 #include "apps/summary.h"
 #include "apps/terminal_text.h"
 #include "evaluate/atomic_file.h"

@@ -5,7 +5,7 @@
 
 #include "apps/commands.h"
 #include "apps/interrupt.h"
-#include "apps/summary.h"
+#include "apps/plan_summary.h"
 #include "apps/terminal_text.h"
 #include "evaluate/results.h"
 #include "terrains/input_error.h"

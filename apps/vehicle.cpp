@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "apps/commands.h"
-#include "apps/summary.h"
+#include "apps/summary_rows.h"
 #include "apps/terminal_text.h"
 #include "evaluate/atomic_file.h"
 #include "render/gnuplot.h"

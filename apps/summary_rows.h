@@ -1,0 +1,27 @@
+// Lines that summaries of plans and of runs have in common.
+#pragma once
+
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/stages.h"
+
+namespace headland {
+
+inline double degrees(double angle_rad) { return angle_rad * 180.0 / std::numbers::pi; }
+
+std::string hectares(double area_m2);  // "1.234 ha"
+
+// An aligned figure: "  label   value   note".
+std::string summary_row(std::string_view label, const std::string& value,
+                        const std::string& note = "");
+
+// What is evaluated: vehicle, working width, field, soil, terrain, seed.
+std::string headline(const Job& job);
+
+// "note: ..." a line.
+std::string notes_text(const std::vector<std::string>& notes);
+
+}  // namespace headland
