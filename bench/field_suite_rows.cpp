@@ -71,7 +71,9 @@ SuiteRow suite_row(const FieldRecipe& recipe, const std::string& vehicle,
     row.refusal = refused.what();
     return row;
   }
+  const auto begun = std::chrono::steady_clock::now();
   judge_path(made, row);
+  row.audit_s = seconds_since(begun);
   if (kept != nullptr) *kept = std::move(made);
   return row;
 }
@@ -96,6 +98,7 @@ nlohmann::ordered_json row_json(const SuiteRow& row) {
   if (!row.refusal.empty()) return json;
   json["plan_s"] = row.plan_s;
   json["path_s"] = row.path_s;
+  json["audit_s"] = row.audit_s;
   json["passes"] = row.passes;
   json["length_m"] = row.length_m;
   json["work_m"] = row.work_m;
@@ -103,6 +106,7 @@ nlohmann::ordered_json row_json(const SuiteRow& row) {
   json["other_faults"] = row.other_faults;
   json["field_m2"] = row.field_m2;
   json["reachable_m2"] = row.reachable_m2;
+  json["missed_m2"] = row.missed_m2;
   json["covered_of_reachable_percent"] = covered_percent(row);
   json["overlap_percent"] = 100.0 * row.overlap_m2 / row.field_m2;
   json["outside_percent"] = 100.0 * row.outside_m2 / row.field_m2;
@@ -128,6 +132,33 @@ nlohmann::ordered_json row_json(const SuiteRow& row) {
   }
   json["left_out"] = left_out;
   return json;
+}
+
+SuiteRow row_of(const nlohmann::json& json, const FieldRecipe& recipe) {
+  SuiteRow row;
+  row.recipe = recipe;
+  row.vehicle = json.at("vehicle");
+  row.refusal = json.at("refusal");
+  if (!row.refusal.empty()) return row;
+  row.plan_s = json.at("plan_s");
+  row.path_s = json.at("path_s");
+  row.audit_s = json.at("audit_s");
+  row.passes = json.at("passes");
+  row.length_m = json.at("length_m");
+  row.work_m = json.at("work_m");
+  row.states_outside = json.at("states_outside");
+  row.other_faults = json.at("other_faults");
+  row.field_m2 = json.at("field_m2");
+  row.reachable_m2 = json.at("reachable_m2");
+  row.missed_m2 = json.at("missed_m2");
+  row.overlap_m2 = 0.01 * json.at("overlap_percent").get<double>() * row.field_m2;
+  row.outside_m2 = 0.01 * json.at("outside_percent").get<double>() * row.field_m2;
+  for (const auto& patch : json.at("missed")) {
+    GroundPatch& missed = row.missed.emplace_back();
+    missed.p_W = {patch.at("x_m").get<double>(), patch.at("y_m").get<double>()};
+    missed.area_m2 = patch.at("area_m2");
+  }
+  return row;
 }
 
 }  // namespace headland::bench

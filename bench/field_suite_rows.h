@@ -16,6 +16,7 @@ struct SuiteRow {
   std::string refusal;  // empty: planned
   double plan_s = 0.0;
   double path_s = 0.0;
+  double audit_s = 0.0;
   std::size_t passes = 0;
   double length_m = 0.0;
   double work_m = 0.0;
@@ -46,5 +47,7 @@ SuiteRow suite_row(const FieldRecipe& recipe, const std::string& vehicle,
 double coverage_cell_m(const Field& field);
 double covered_percent(const SuiteRow& row);  // of the reachable ground
 nlohmann::ordered_json row_json(const SuiteRow& row);
+// What of a row the table shows, back from row_json.
+SuiteRow row_of(const nlohmann::json& json, const FieldRecipe& recipe);
 
 }  // namespace headland::bench
