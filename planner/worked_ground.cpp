@@ -58,7 +58,10 @@ WorkedGround ground_to_work(const Field& field) {
     high = high.cwiseMax(p_W);
   }
   WorkedGround ground;
-  ground.cell_m = std::max(kGroundCell_m, std::sqrt((high - low).prod() / kMostGroundCells));
+  const double box_m2 = (high - low).prod();
+  const double few_m =
+      std::clamp(std::sqrt(box_m2 / kFewGroundCells), kFineGroundCell_m, kGroundCell_m);
+  ground.cell_m = std::max(few_m, std::sqrt(box_m2 / kMostGroundCells));
   ground.origin_W = low - Vector2d::Constant(ground.cell_m);
   ground.columns = static_cast<int>(std::ceil((high.x() - low.x()) / ground.cell_m)) + 2;
   ground.rows = static_cast<int>(std::ceil((high.y() - low.y()) / ground.cell_m)) + 2;

@@ -34,10 +34,13 @@ struct WorkedGround {
   Scanline scratch;  // of the functions below
 };
 
-// Nothing worked yet; holes and obstacles are outside. Cells of kGroundCell_m, larger where the
-// field's bounding box would take more than kMostGroundCells.
+// Nothing worked yet; holes and obstacles are outside. Cells of kGroundCell_m; finer where the
+// field's bounding box takes few, as slivers tell on small fields, larger where it would take more
+// than kMostGroundCells.
 WorkedGround ground_to_work(const Field& field);
 inline constexpr double kGroundCell_m = 0.2;
+inline constexpr double kFineGroundCell_m = 0.1;
+inline constexpr double kFewGroundCells = 1e6;
 inline constexpr double kMostGroundCells = 3e7;
 
 GroundState state_at(const WorkedGround& ground, const Eigen::Vector2d& p_W);

@@ -27,7 +27,7 @@ bool covers_corners(const Parameters& parameters) {
 // than the smallest are not worth their way.
 constexpr double kLeftRatio = 0.002;
 constexpr double kLargestPatch_m2 = 4.0;
-constexpr double kSmallestPatch_m2 = 0.5;
+constexpr double kSmallestPatch_m2 = 0.125;
 
 void append_swaths(const SwathGrid& grid, const PlanRequest& request, std::vector<Pass>& passes) {
   for (Pass& pass : ordered_swaths(grid, request, end_of(passes, request.field.entry_W))) {
