@@ -21,9 +21,11 @@ constexpr std::size_t kMostEdgeDirections = 6;  // of edges near a patch, those 
 constexpr int kSamples = 48;                    // cells of a patch that its edges are looked for at
 constexpr double kShortestFill_m = 0.5;         // pass
 // Patches of this that no line beside anything works are looked at in this many directions of the
-// half circle.
-constexpr double kLargePatch_m2 = 4.0;
+// half circle, too, line by line.
+constexpr double kLargePatch_m2 = 1.0;
 constexpr int kEveryDirection = 18;
+constexpr double kLineStep_m = 0.25;
+constexpr double kMostLines = 100.0;  // across a patch
 // Lines further in, where what is beside the patch is in the way [part of the working width].
 constexpr std::array kShifts = {0.0, 0.1, 0.25, 0.5};
 
@@ -278,19 +280,22 @@ Line best_line(const Filling& filling, const Patch& patch) {
     best_score = score;
     best = line;
   };
-  const auto try_headings = [&](const std::vector<double>& headings_rad) {
+  const std::vector<double> beside_rad = headings_for(filling, patch, around);
+  const auto try_headings = [&](const std::vector<double>& headings_rad, auto try_lines) {
     for (const double heading_rad : headings_rad) {
       stop_if(options.cancelled);
       const Turned in_frame = turned(filling, patch, heading_rad);
-      try_line(in_frame, heading_rad, 0.5 * (in_frame.low_m + in_frame.high_m));
-      for (const double shift : kShifts) {
-        const double in_m = beside_m(filling) + shift * options.working_width_m;
-        try_line(in_frame, heading_rad, in_frame.low_m + in_m);
-        try_line(in_frame, heading_rad, in_frame.high_m - in_m);
-      }
+      try_lines(in_frame, heading_rad);
     }
   };
-  try_headings(headings_for(filling, patch, around));
+  try_headings(beside_rad, [&](const Turned& in_frame, double heading_rad) {
+    try_line(in_frame, heading_rad, 0.5 * (in_frame.low_m + in_frame.high_m));
+    for (const double shift : kShifts) {
+      const double in_m = beside_m(filling) + shift * options.working_width_m;
+      try_line(in_frame, heading_rad, in_frame.low_m + in_m);
+      try_line(in_frame, heading_rad, in_frame.high_m - in_m);
+    }
+  });
   for (const Pose& beside : around.lines) {
     stop_if(options.cancelled);
     for (const double heading_rad : {beside.heading_rad, beside.heading_rad + pi}) {
@@ -300,7 +305,18 @@ Line best_line(const Filling& filling, const Patch& patch) {
   }
   const double cell_m2 = filling.ground.cell_m * filling.ground.cell_m;
   const bool large = static_cast<double>(patch.cells.size()) * cell_m2 >= kLargePatch_m2;
-  if (large && best.gain_m2 < options.least_patch_m2) try_headings(every_heading());
+  if (!large || best.gain_m2 >= options.least_patch_m2) return best;
+  // In a tip the implement reaches back over worked ground.
+  const auto across_patch = [&](const Turned& in_frame, double heading_rad) {
+    const double low_m = in_frame.low_m - 0.5 * options.working_width_m;
+    const double high_m = in_frame.high_m + 0.5 * options.working_width_m;
+    const double step_m = std::max(kLineStep_m, (high_m - low_m) / kMostLines);
+    for (double across_m = low_m + step_m; across_m < high_m; across_m += step_m) {
+      try_line(in_frame, heading_rad, across_m);
+    }
+  };
+  try_headings(beside_rad, across_patch);
+  try_headings(every_heading(), across_patch);
   return best;
 }
 

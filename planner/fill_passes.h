@@ -21,7 +21,8 @@ struct FillOptions {
 
 // Works patch by patch, the largest first, until no pass gains least_patch_m2: of straight lines
 // along and across nearby edges, along the patch and in the directions given, flush with either
-// side of the patch or in its middle, the one that works most for its length and a turn. Every pose
+// side of the patch or in its middle, the one that works most for its length and a turn; where none
+// of these gains enough, of lines all across the patch in every direction. Every pose
 // of a pass keeps the clearance, ends included: it begins backed into its corner or stops with the
 // front before the boundary. The passes are `optional`, in the order found; `ground` is worked by
 // them. Throws Cancelled.
