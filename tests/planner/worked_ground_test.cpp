@@ -31,6 +31,13 @@ TEST(WorkedGround, IsTheFieldWithoutHolesAndObstacles) {
   EXPECT_EQ(state_at(ground, {5, 5}), GroundState::kToWork);
 }
 
+TEST(WorkedGround, IsFinerOnSmallFields) {
+  EXPECT_EQ(ground_to_work(field_of("small", rectangle_ring(0, 0, 40, 30))).cell_m,
+            kFineGroundCell_m);
+  EXPECT_EQ(ground_to_work(field_of("large", rectangle_ring(0, 0, 400, 300))).cell_m,
+            kGroundCell_m);
+}
+
 TEST(WorkedGround, CountsWhatIsWorkedOnce) {
   WorkedGround ground = ground_to_work(field_of("square", rectangle_ring(0, 0, 40, 30)));
   const std::vector<Eigen::Vector2d> line{{5, 10}, {25, 10}};
