@@ -225,6 +225,7 @@ std::vector<FootprintSample> footprints_of(const Vehicle& vehicle,
 
 std::vector<WorkState> work_states(const std::vector<State>& states) {
   std::vector<WorkState> work;
+  work.reserve(states.size());
   for (const State& state : states) {
     work.push_back(
         {state.pose, state.step_m, state.down ? WorkState::Does::kWork : WorkState::Does::kDrive});
