@@ -98,7 +98,7 @@ std::string predicted_row(const PlanResult& result) {
 std::string path_notes(const Path& path) {
   std::string text;
   if (!path.cut_back_m.empty()) {
-    text += fmt::format("  {} swath ends cut back by up to {:.1f} m to make room for turns\n",
+    text += fmt::format("  {} ends of passes cut back by up to {:.1f} m to make room for turns\n",
                         path.cut_back_m.size(),
                         *std::max_element(path.cut_back_m.begin(), path.cut_back_m.end()));
   }

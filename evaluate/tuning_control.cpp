@@ -32,10 +32,18 @@ PlanRun mean_of(const std::vector<PlanRun>& runs) {
 }  // namespace
 
 void judge_control(const std::vector<PlanRun>& held_out, TuningControl& control) {
-  for (const MethodFigures& figures : method_figures(held_out, {control.fitted})) {
+  const std::vector<MethodFigures> all = method_figures(held_out, {control.fitted});
+  const auto fitted = std::ranges::find(all, control.fitted, &MethodFigures::method);
+  for (const MethodFigures& figures : all) {
     if (!figures.method.starts_with(methods::kShuffled)) continue;
+    if (figures.faults != fitted->faults) {
+      control.as_good += figures.faults < fitted->faults ? 1 : 0;
+      continue;
+    }
     const Saving* saving = energy_saving(figures, control.fitted);
-    if (saving != nullptr && saving->ratio.mean >= 0.0) ++control.as_good;
+    // Without a field that both were driven on neither is better.
+    const bool worse = saving != nullptr && saving->ratio.mean < 0.0;
+    control.as_good += worse ? 0 : 1;
   }
   control.p = (1.0 + control.as_good) / (1.0 + control.fits);
 }

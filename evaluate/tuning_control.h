@@ -17,9 +17,9 @@ struct TuningControl {
   double p = 1.0;           // that chance fits as well: (1 + as_good) / (1 + fits)
 };
 
-// Counts `as_good` among the methods "shuffled 1", "shuffled 2" ... of driven held-out plans, by
-// the mean saving of energy on the fields that both were driven on. A fit without weights is not
-// as good.
+// Counts `as_good` among the methods "shuffled 1", "shuffled 2" ... of driven held-out plans: those
+// that were driven to the end on more fields than `fitted`, or on as many with no more energy, by
+// the mean saving where both were. A fit without weights is not as good.
 void judge_control(const std::vector<PlanRun>& held_out, TuningControl& control);
 
 // Takes the plans of shuffled fits out of `held_out` and returns them as one method "shuffled": on

@@ -55,6 +55,7 @@ void append_arcs(LineJoining& joining, const Pose& from, const std::vector<Arc>&
                  const PathPoint& to, PathKind kind) {
   auto segments = sample(from, arcs, kPathSpacing_m);
   if (segments.empty()) return;
+  if (joining.options.continuous_turns && !is_continuous(arcs)) ++joining.path.abrupt_turns;
   PathPoint& end = segments.back().points.back();
   end.p_W = to.p_W;
   end.heading_rad = to.heading_rad;
@@ -77,9 +78,13 @@ void append_connection(LineJoining& joining, std::size_t before, const DrivenLin
       record(joining, worst,
              fmt::format("turn from {} to {}", line_name(joining.lines, before),
                          line_name(joining.lines, next.line)));
+    } else if (joining.options.keep_off_worked) {
+      joining.path.violations.push_back(
+          {from.p_W, joining.manoeuvre, 0.0,
+           fmt::format("turn from {} to {}: none keeps the wheels off the rows worked",
+                       line_name(joining.lines, before), line_name(joining.lines, next.line))});
     }
   }
-  if (joining.options.continuous_turns && !is_continuous(*arcs)) ++joining.path.abrupt_turns;
   append_arcs(joining, pose_of(from), *arcs, to,
               connection_kind(joining, pose_of(from), pose_of(to), *arcs));
 }
@@ -144,8 +149,12 @@ void append_line(LineJoining& joining, std::size_t index) {
   check_curvature(joining, index);
   const auto work_begin = line.points.begin() + static_cast<std::ptrdiff_t>(line.run_in);
   if (line.run_in > 0) append_run_in(joining, {line.points.begin(), work_begin + 1});
-  joining.path.segments.push_back(
-      {line.kind, Gear::kForward, true, joining.manoeuvre, {work_begin, line.points.end()}});
+  joining.path.segments.push_back({line.kind,
+                                   Gear::kForward,
+                                   true,
+                                   joining.manoeuvre,
+                                   {work_begin, line.points.end()},
+                                   line.optional});
   ++joining.manoeuvre;
 }
 
@@ -156,6 +165,19 @@ void append_entry(LineJoining& joining, const Eigen::Vector2d& entry_W) {
       -kFitTolerance_m,
       clearance_between(joining.space, pose_of(to), pose_of(to), joining.options.clearance_m));
   const std::vector<Pose> poses = poses_near(joining.space, entry_W, joining.options.clearance_m);
+  if (joining.options.continuous_turns) {
+    std::optional<std::pair<Pose, std::vector<Arc>>> best;
+    for (const Pose& from : poses) {
+      auto arcs = connect_by_turn(joining.space, from, pose_of(to),
+                                  connection_options(joining, clearance_m));
+      if (!arcs || (best && length_m(*arcs) >= length_m(best->second))) continue;
+      best.emplace(from, std::move(*arcs));
+    }
+    if (best) {
+      append_arcs(joining, best->first, best->second, to, PathKind::kTransit);
+      return;
+    }
+  }
   struct Choice {
     Pose from;
     Turn turn;

@@ -43,7 +43,7 @@ Allowance allowance(const Pass& pass, const PolygonSet& inside_headland, double 
           std::min(whole_m, (inner.back().back() - pass.points_W.back()).norm())};
 }
 
-// Points of a straight line that a cut of cut_m takes off one of its ends.
+// Points of an evenly spaced line that a cut of cut_m takes off one of its ends.
 std::size_t points_within(const WorkLine& line, double cut_m) {
   const double spacing_m = (line.points[1].p_W - line.points[0].p_W).norm();
   return static_cast<std::size_t>(std::floor(cut_m / spacing_m));
@@ -144,6 +144,7 @@ std::vector<double> make_room_for_turns(const Plan& plan, const Field& field,
     }
     if (closed(plan.passes[i + 1]) &&
         begin_elsewhere(plan.passes[i + 1], from, to, space, options, implement_x_B_m)) {
+      work_tail();
       continue;
     }
     // Where the line is cut back no row has been worked.

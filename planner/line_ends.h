@@ -20,7 +20,7 @@ namespace headland {
 //   is too narrow, and the lines stay as they are;
 // - headland passes along some edges alone are cut back likewise, by up to 3 turning radii.
 // Rows are worked in `worked` (null: none is kept off) as they come, where `space` looks them up.
-// Returns the lengths [m] cut off swath ends. Throws Cancelled.
+// Returns the lengths [m] cut off ends of passes. Throws Cancelled.
 std::vector<double> make_room_for_turns(const Plan& plan, const Field& field,
                                         const FreeSpace& space, const ConnectionOptions& options,
                                         const Vehicle& vehicle, WorkedGround* worked,

@@ -31,6 +31,7 @@ struct PathSegment {
   bool implement_down = false;
   int manoeuvre = 0;  // counts up along the path; one swath, one turn, one transit each
   std::vector<PathPoint> points;
+  bool optional = false;  // a pass that may be left out (Pass::optional); not in path files
 };
 
 inline constexpr double kPathSpacing_m = 0.25;
@@ -61,7 +62,7 @@ struct LeftOutPass {
 struct Path {
   std::vector<PathSegment> segments;
   std::vector<PathViolation> violations;  // empty unless overruns were allowed
-  std::vector<double> cut_back_m;         // of swath ends shortened for their turn's room
+  std::vector<double> cut_back_m;         // of ends of passes shortened for their turn's room
   // In summaries of who made the path, not in path files:
   std::vector<LeftOutPass> left_out;  // optional passes that no turn leads to or away from
   TightestPlace tightest;

@@ -124,9 +124,10 @@ DrivenOverWorked driven_over_worked(const Field& field, const Vehicle& vehicle,
 DrivenOverWorked driven_over_worked(const Field& field, const Vehicle& vehicle, const Path& path) {
   std::vector<WorkState> states;
   for (const PathSegment& segment : path.segments) {
-    const auto does = !segment.implement_down            ? WorkState::Does::kDrive
-                      : segment.kind == PathKind::kSwath ? WorkState::Does::kWork
-                                                         : WorkState::Does::kWorkThatDoesNotCount;
+    const bool is_row = segment.kind == PathKind::kSwath && !segment.optional;
+    const auto does = !segment.implement_down ? WorkState::Does::kDrive
+                      : is_row                ? WorkState::Does::kWork
+                                              : WorkState::Does::kWorkThatDoesNotCount;
     for (std::size_t i = 0; i < segment.points.size(); ++i) {
       const double step_m =
           i == 0 ? 0.0 : (segment.points[i].p_W - segment.points[i - 1].p_W).norm();

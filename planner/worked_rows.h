@@ -48,7 +48,8 @@ struct WorkState {
 DrivenOverWorked driven_over_worked(const Field& field, const Vehicle& vehicle,
                                     const std::vector<WorkState>& states);
 
-// Of a path of ours over its swaths; headland passes do not count.
+// Of a path of ours over its swaths; headland passes and optional ones, which fill what is left, do
+// not count.
 DrivenOverWorked driven_over_worked(const Field& field, const Vehicle& vehicle, const Path& path);
 
 }  // namespace headland

@@ -31,22 +31,25 @@ Rgba diffuse_colour(const aiMaterial& material) {
 // Notes which of the files that a mesh file names cannot be opened.
 class NotingFiles : public Assimp::DefaultIOSystem {
  public:
-  explicit NotingFiles(std::vector<std::string>& missing) : missing_(missing) {}
+  // `own`: the name of the materials' file that goes without saying.
+  NotingFiles(std::vector<std::string>& missing, std::string own)
+      : missing_(missing), own_(std::move(own)) {}
 
   Assimp::IOStream* Open(const char* file, const char* mode) override {
     Assimp::IOStream* const stream = DefaultIOSystem::Open(file, mode);
     const std::string name = std::filesystem::path(file).filename().string();
-    // When its materials' file is not there, assimp looks for one of the mesh's own name.
-    if (stream != nullptr) {
+    if (stream == nullptr) {
+      // When its materials' file is not there, assimp looks for one of the mesh's own name.
+      if (name != own_ || missing_.empty()) missing_.push_back(name);
+    } else if (name == own_) {
       missing_.clear();
-    } else if (missing_.empty()) {
-      missing_.push_back(name);
     }
     return stream;
   }
 
  private:
   std::vector<std::string>& missing_;
+  std::string own_;
 };
 
 // Textures of all materials by name, each once.
@@ -85,7 +88,8 @@ MeshFile read_mesh(const std::filesystem::path& file) {
   require_file(file);
   Assimp::Importer importer;
   std::vector<std::string> missing;
-  importer.SetIOHandler(new NotingFiles(missing));  // the importer's from here on
+  // The importer's from here on.
+  importer.SetIOHandler(new NotingFiles(missing, file.stem().string() + ".mtl"));
   // Points and lines have no surface to draw.
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);

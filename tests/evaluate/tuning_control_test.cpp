@@ -60,6 +60,21 @@ TEST(TuningControlTest, ChanceIsUnlikelyWhereNoFitPlansAsWell) {
   EXPECT_EQ(control.as_good, 0);
 }
 
+TEST(TuningControlTest, WeightsWhosePlansAreNotDrivenToTheEndProveNothing) {
+  std::vector<PlanRun> plans = three_fits();
+  for (PlanRun& plan : plans) plan.fault = plan.method == "fitted" ? "stuck" : "";
+  TuningControl control;
+  control.fitted = "fitted";
+  control.fits = 3;
+  judge_control(plans, control);
+  EXPECT_DOUBLE_EQ(control.p, 1.0);
+  // Nor where nothing was driven at all.
+  for (PlanRun& plan : plans) plan.fault = "stuck";
+  control.as_good = 0;
+  judge_control(plans, control);
+  EXPECT_DOUBLE_EQ(control.p, 1.0);
+}
+
 TEST(TuningControlTest, AllFitsAreOneMethodByTheirMeans) {
   std::vector<PlanRun> plans = three_fits();
   plans[6].fault = "stuck";  // "shuffled 2" on b

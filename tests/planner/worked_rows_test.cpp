@@ -13,6 +13,7 @@
 namespace headland {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
 
 Vehicle wheeled_vehicle() {
@@ -57,6 +58,8 @@ TEST(DrivenOverWorked, WorkItselfHeadlandAndWhatComesBeforeAreNot) {
   path.segments.push_back(straight_segment(PathKind::kSwath, true, {10, 20}, {50, 20}));
   path.segments.push_back(straight_segment(PathKind::kSwath, true, {50, 20.5}, {10, 20.5}));
   path.segments.push_back(straight_segment(PathKind::kHeadlandPass, true, {10, 40}, {50, 40}));
+  path.segments.push_back(straight_segment(PathKind::kSwath, true, {10, 45}, {50, 45}));
+  path.segments.back().optional = true;
   path.segments.push_back(straight_segment(PathKind::kTransit, false, {30, 50}, {30, 30}));
   EXPECT_EQ(driven_over_worked(rows_field(), vehicle, path).length_m, 0.0);
 }
@@ -96,6 +99,13 @@ TEST(KeepOffWorked, WhatCannotIsRefusedWithItsPlace) {
   } catch (const PlanInfeasible& refused) {
     EXPECT_THAT(refused.what(), HasSubstr("keeps off the rows worked (path.keep_off_worked)"));
   }
+  // Where overruns are allowed it is driven, and told.
+  options.allow_overrun = true;
+  const Path path = make_path(rows_field(), vehicle, plan, options);
+  EXPECT_GT(driven_over_worked(rows_field(), vehicle, path).length_m, 0.0);
+  EXPECT_THAT(
+      path.violations,
+      Contains(testing::Field(&PathViolation::what, HasSubstr("keeps the wheels off the rows"))));
 }
 
 }  // namespace

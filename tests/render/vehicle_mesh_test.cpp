@@ -62,6 +62,12 @@ TEST(MeshFile, NamesTheMaterialsAndTexturesThatItIsDrawnWithout) {
       read_mesh(plain).lacks,
       ElementsAre("plain.obj names the materials gone.mtl, which cannot be read: drawn grey"));
   EXPECT_EQ(read_mesh(plain).mesh.indices.size(), 3U);
+  scratch("real.mtl", "newmtl paint\nKd 1.0 0.2 0.0\n");
+  EXPECT_THAT(
+      read_mesh(scratch("both.obj",
+                        ("mtllib gone.mtl\nmtllib real.mtl\n" + std::string(triangle)).c_str()))
+          .lacks,
+      ElementsAre("both.obj names the materials gone.mtl, which cannot be read: drawn grey"));
   scratch("paint.mtl", "newmtl paint\nKd 1.0 0.2 0.0\nmap_Kd wood.png\n");
   const auto wooden = scratch("wooden.obj", ("mtllib paint.mtl\n" + std::string(triangle)).c_str());
   EXPECT_THAT(
