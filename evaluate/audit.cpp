@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "evaluate/ground_patches.h"
@@ -66,21 +67,40 @@ double turn_at(const Stretch& stretch, std::size_t corner) {
   return wrap_angle(direction_rad(after) - direction_rad(before));
 }
 
+bool turns_back_at(const Stretch& stretch, std::size_t corner) {
+  return std::abs(turn_at(stretch, corner)) > kGearChange_rad;
+}
+
+// Work is done forward: where the line turns back an odd number of times before the first of it,
+// the vehicle begins in reverse.
+bool begins_in_reverse(const Stretch& stretch) {
+  const auto work = std::find_if(stretch.begin() + 1, stretch.end(),
+                                 [](const Corner& corner) { return corner.down; });
+  if (work == stretch.end()) return false;
+  int times = 0;
+  for (std::size_t i = 1; stretch.begin() + static_cast<std::ptrdiff_t>(i) < work; ++i) {
+    times += turns_back_at(stretch, i) ? 1 : 0;
+  }
+  return times % 2 == 1;
+}
+
 // By corner, whether the vehicle changes gear there: where the line turns back and soon again, or
-// ends. One that only turns back leaves out how the vehicle turned round.
+// ends; at the first whether it begins in reverse. One that only turns back leaves out how the
+// vehicle turned round.
 std::vector<bool> gear_changes_of(const Stretch& stretch) {
   std::vector<bool> changes(stretch.size(), false);
-  std::size_t open = 0;  // where the vehicle went into reverse; 0: it goes forward
+  std::optional<std::size_t> open;  // where the vehicle went into reverse; none: it goes forward
+  if (begins_in_reverse(stretch)) open = 0;
   double since_m = 0.0;
   for (std::size_t i = 1; i < stretch.size(); ++i) {
     since_m += (stretch[i].p_W - stretch[i - 1].p_W).norm();
-    if (since_m > kLongestReverse_m) open = 0;
+    if (since_m > kLongestReverse_m) open.reset();
     const bool ends = i + 1 == stretch.size();
-    if (!ends && std::abs(turn_at(stretch, i)) <= kGearChange_rad) continue;
-    if (open > 0) {
-      changes[open] = true;
+    if (!ends && !turns_back_at(stretch, i)) continue;
+    if (open) {
+      changes[*open] = true;
       changes[i] = !ends;
-      open = 0;
+      open.reset();
     } else if (!ends) {
       open = i;
       since_m = 0.0;
@@ -111,7 +131,7 @@ void drive_along(const Stretch& stretch, double least_radius_m, Audit& audit,
   const std::vector<bool> changes_gear = gear_changes_of(stretch);
   const double tightest_m = kTooTightShare * least_radius_m;
   const std::vector<EdgeHeading> headings = headings_of(stretch, changes_gear, tightest_m);
-  bool reverse = false;
+  bool reverse = changes_gear.front();
   for (std::size_t i = 1; i < stretch.size(); ++i) {
     const Eigen::Vector2d edge = stretch[i].p_W - stretch[i - 1].p_W;
     const double edge_m = edge.norm();

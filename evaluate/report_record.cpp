@@ -72,6 +72,37 @@ RecordedRun read_piece_by_piece(const fs::path& folder, const Field& field) {
   return recorded;
 }
 
+// Tables cut between two rows can be read as if they were whole.
+void tell_cuts(RecordedRun& recorded) {
+  const RunRecord& run = recorded.run;
+  if (run.samples.empty()) return;
+  constexpr double kRowsLate = 1.5;
+  double step_s = 0.0;
+  for (std::size_t i = 1; i < run.samples.size(); ++i) {
+    step_s = std::max(step_s, run.samples[i].time_s - run.samples[i - 1].time_s);
+  }
+  const double first_s = run.samples.front().time_s;
+  const double last_s = run.samples.back().time_s;
+  if (first_s > kRowsLate * step_s) {
+    recorded.missing.push_back(
+        fmt::format("The time series begins after {:.1f} s only ({})", first_s, kRunFile));
+  }
+  if (run.duration_s - last_s > kRowsLate * step_s) {
+    recorded.missing.push_back(fmt::format("The time series ends after {:.1f} s of {:.1f} ({})",
+                                           last_s, run.duration_s, kRunFile));
+  }
+  const auto works = std::find_if(run.samples.rbegin(), run.samples.rend(),
+                                  [](const RunSample& sample) { return sample.implement_down; });
+  if (works == run.samples.rend()) return;
+  constexpr double kFootprintsApart_m = 1.0;  // at most
+  const double known_m = run.footprints.empty() ? 0.0 : run.footprints.back().travel_m;
+  if (works->travel_m - known_m > kFootprintsApart_m) {
+    recorded.missing.push_back(
+        fmt::format("Ground covered is known for {:.1f} m of {:.1f} m driven ({})", known_m,
+                    works->travel_m, kFootprintFile));
+  }
+}
+
 }  // namespace
 
 RecordedRun read_recorded_run(const fs::path& folder, const Field& field) {
@@ -84,6 +115,7 @@ RecordedRun read_recorded_run(const fs::path& folder, const Field& field) {
     recorded.path = read_path(folder / kPathFile, field);
     recorded.run = read_run(folder, recorded.path);
     recorded.metrics = parse_json(folder / kMetricsFile);
+    tell_cuts(recorded);
     return recorded;
   } catch (const InputError& fault) {
     RecordedRun recorded = read_piece_by_piece(folder, field);

@@ -146,6 +146,13 @@ TEST(Audit, BacksOutOfShortLegsAndFindsTurnsThatAreLeftOut) {
   EXPECT_EQ(backing.gear_changes, 2);
   EXPECT_NEAR(backing.reverse_length_m, 7.0, 1e-9);
   EXPECT_EQ(totals_of(backing, AuditFault::kTooTight).places, 0);
+  // One cusp before the first work: it is come to in reverse.
+  const Audit entered = audit_path(
+      audited_field(), vehicle,
+      {{{{30, 30}, {20, 30}}, false, false}, {{{20, 30}, {50, 30}}, true, true}}, kAuditCell_m);
+  EXPECT_EQ(entered.gear_changes, 1);
+  EXPECT_NEAR(entered.reverse_length_m, 10.0, 1e-9);
+  EXPECT_EQ(totals_of(entered, AuditFault::kTooTight).places, 0);
   // Row after row without a turn between: 40 m is no reversing.
   const Audit rows = audited(audited_field(), vehicle, {{10, 30}, {50, 30}, {10, 30.01}});
   EXPECT_EQ(rows.gear_changes, 0);

@@ -26,7 +26,8 @@ class ReportRecord : public ResultsFolder {
  protected:
   void SetUp() override {
     ResultsFolder::SetUp();
-    const RunRecord run = some_run();
+    RunRecord run = some_run();
+    run.duration_s = run.samples.back().time_s + 0.05;
     const Metrics metrics = measure_run(path_, run, {});
     const Verdict verdict;
     const Scenario scenario;
@@ -69,6 +70,45 @@ TEST_F(ReportRecord, KeepsTheRowsBeforeACut) {
   EXPECT_EQ(recorded.run.segments.size(), some_run().segments.size());
   EXPECT_THAT(recorded.missing, ElementsAre(HasSubstr("The time series ends after")));
   EXPECT_THAT(recorded.missing.front(), HasSubstr("run.csv, line"));
+}
+
+// Cut between two rows every table is whole by itself.
+TEST_F(ReportRecord, TellsTablesThatAreCutAtTheEndOfARow) {
+  RunRecord run = some_run();
+  run.samples.clear();
+  run.footprints.clear();
+  for (int i = 0; i <= 100; ++i) {
+    RunSample sample;
+    sample.time_s = 0.1 * i;
+    sample.travel_m = 0.2 * i;
+    sample.implement_down = i < 80;
+    run.samples.push_back(sample);
+    if (sample.implement_down) {
+      run.footprints.push_back(
+          {{0.2 * i, 1.0}, {0.2 * i, -1.0}, sample.time_s, sample.travel_m, i == 0});
+    }
+  }
+  run.duration_s = 10.0;
+  const Metrics metrics = measure_run(path_, run, {});
+  write(kMetricsFile, json_text(metrics_json({Scenario{}, field_, vehicle_, path_, run, metrics,
+                                              Verdict{}, std::vector<std::string>{}},
+                                             "test")));
+  const auto missing_of = [&](std::size_t from, std::size_t samples, std::size_t footprints) {
+    const auto begin = run.samples.begin() + static_cast<std::ptrdiff_t>(from);
+    write(kRunFile, run_csv({begin, begin + static_cast<std::ptrdiff_t>(samples)}, kLocal));
+    write(kFootprintFile,
+          footprint_csv({run.footprints.begin(),
+                         run.footprints.begin() + static_cast<std::ptrdiff_t>(footprints)}));
+    return read_recorded_run(folder_, field_).missing;
+  };
+  EXPECT_THAT(missing_of(0, 101, 80), ElementsAre());
+  EXPECT_THAT(missing_of(0, 50, 80),
+              ElementsAre(StartsWith("The time series ends after 4.9 s of")));
+  EXPECT_THAT(missing_of(50, 51, 80),
+              ElementsAre(StartsWith("The time series begins after 5.0 s")));
+  EXPECT_THAT(missing_of(0, 101, 40),
+              ElementsAre(StartsWith("Ground covered is known for 7.8 m of 15.8 m")));
+  EXPECT_THAT(missing_of(0, 101, 0), ElementsAre(StartsWith("Ground covered is known for 0.0 m")));
 }
 
 TEST_F(ReportRecord, TellsEveryFileThatIsGone) {
