@@ -87,11 +87,6 @@ void add_ring(const Ring& ring, const std::vector<int>& rounds, const RoundsRang
   }
 }
 
-bool holds(const PolygonPart& part, const Vector2d& p_W) {
-  return inside_ring(part.outer, p_W) &&
-         std::ranges::none_of(part.holes, [&](const Ring& hole) { return inside_ring(hole, p_W); });
-}
-
 }  // namespace
 
 EdgedGround edged_ground(PolygonSet ground, const EdgeRounds& edges) {

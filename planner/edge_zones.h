@@ -1,6 +1,7 @@
 // Ground beside the edges of a field that have their own number of headland passes.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "planner/headland_edges.h"
@@ -23,7 +24,7 @@ EdgedGround edged_ground(PolygonSet ground, const EdgeRounds& edges);
 // Which edges: those with [least, most] rounds.
 struct RoundsRange {
   int least = 0;
-  int most = kMostRounds;
+  int most = std::numeric_limits<int>::max();
 };
 
 // Ground within `distance_m` of those edges, on the side of them that is worked, straight on past

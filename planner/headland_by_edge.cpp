@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "planner/free_space.h"
@@ -24,14 +25,6 @@ constexpr double kBesideTolerance = 0.5;
 // Swaths spread evenly may lie closer than a working width, by this share of it.
 constexpr double kLeastSpacing = 0.9;
 
-bool holds(const PolygonSet& set, const Vector2d& p_W) {
-  return std::ranges::any_of(set.parts, [&](const PolygonPart& part) {
-    return inside_ring(part.outer, p_W) && std::ranges::none_of(part.holes, [&](const Ring& hole) {
-             return inside_ring(hole, p_W);
-           });
-  });
-}
-
 HeadlandRing ring_along(const HeadlandRing& whole, Polyline line_W) {
   HeadlandRing ring{whole.round, whole.around_hole, std::move(line_W), {}};
   for (const Vector2d& p_W : ring.line_W) ring.box_W.extend(p_W);
@@ -43,22 +36,74 @@ HeadlandRing ring_along(const HeadlandRing& whole, Polyline line_W) {
 void cut_to_fit(const PlanRequest& request, const FreeSpace& space, Polyline& line_W) {
   for (int end = 0; end < 2; ++end) {
     const auto fits_at_end = [&] {
-      const WorkLine line = work_line({PassKind::kHeadlandPass, line_W}, request.implement_x_B_m);
-      return fits(space, pose_of(line.points.back()), request.clearance_m);
+      return fits(
+          space,
+          pose_of(work_line_end({PassKind::kHeadlandPass, line_W, false}, request.implement_x_B_m)),
+          request.clearance_m);
     };
     while (line_W.size() > kLeastPoints && !fits_at_end()) line_W.pop_back();
     std::ranges::reverse(line_W);
   }
 }
 
-// The stretches of a closed ring whose places are wanted; the ring itself where all are.
-template <typename Wanted>  // bool(const Vector2d&)
-void append_stretches(const HeadlandRing& ring, const PlanRequest& request, const FreeSpace& space,
-                      Wanted wanted, std::vector<HeadlandRing>& stretches) {
-  const double shortest_m = kShortestStretch * request.working_width_m;
+// Calls visit(a_W, b_W, rounds) for every edge of the ground.
+template <typename Visit>
+void for_each_edge(const EdgedGround& edged, Visit visit) {
+  std::size_t ring = 0;
+  const auto look = [&](const Ring& points) {
+    const std::vector<int>& of_edges = edged.rounds[ring++];
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      visit(points[i], points[(i + 1) % points.size()], of_edges[i]);
+    }
+  };
+  for (const PolygonPart& part : edged.ground.parts) {
+    look(part.outer);
+    for (const Ring& hole : part.holes) look(hole);
+  }
+}
+
+int rounds_of_nearest(const EdgedGround& edged, const Vector2d& p_W) {
+  int nearest = 0;
+  double least_m = std::numeric_limits<double>::infinity();
+  for_each_edge(edged, [&](const Vector2d& a_W, const Vector2d& b_W, int rounds) {
+    const double away_m = distance_to_segment(p_W, a_W, b_W);
+    if (away_m >= least_m) return;
+    least_m = away_m;
+    nearest = rounds;
+  });
+  return nearest;
+}
+
+// Which points of a closed ring are in `zone`, beside edges that have the round, and not in
+// `worked`. Arcs that cut across a corner between two such edges are wanted as well, however deep
+// they leave the zone.
+std::vector<char> wanted_points(const HeadlandRing& ring, const EdgedGround& edged,
+                                const PolygonSet& zone, const PolygonSet& worked) {
   const std::size_t count = ring.line_W.size() - 1;
-  std::vector<char> is_wanted(count, 0);
-  for (std::size_t i = 0; i < count; ++i) is_wanted[i] = wanted(ring.line_W[i]) ? 1 : 0;
+  std::vector<char> wanted(count, 0);
+  std::vector<char> cuts_corner(count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector2d& p_W = ring.line_W[i];
+    if (holds(worked, p_W)) continue;
+    wanted[i] = holds(zone, p_W) ? 1 : 0;
+    cuts_corner[i] = wanted[i] == 0 && rounds_of_nearest(edged, p_W) > ring.round ? 1 : 0;
+  }
+  for (std::size_t begin = 0; begin < count; ++begin) {
+    if (cuts_corner[begin] == 0 || wanted[(begin + count - 1) % count] == 0) continue;
+    std::size_t end = begin;
+    while (cuts_corner[end % count] != 0) ++end;
+    if (wanted[end % count] == 0) continue;
+    for (std::size_t i = begin; i < end; ++i) wanted[i % count] = 1;
+  }
+  return wanted;
+}
+
+// The stretches of a closed ring whose points are wanted; the ring itself where all are.
+void append_stretches(const HeadlandRing& ring, const std::vector<char>& is_wanted,
+                      const PlanRequest& request, const FreeSpace& space,
+                      std::vector<HeadlandRing>& stretches) {
+  const double shortest_m = kShortestStretch * request.working_width_m;
+  const std::size_t count = is_wanted.size();
   const auto unwanted = std::ranges::find(is_wanted, 0);
   if (unwanted == is_wanted.end()) {
     stretches.push_back(ring);
@@ -83,24 +128,28 @@ int rounds_beside(const EdgedGround& edged, const Vector2d& p_W, const Vector2d&
                   double distance_m, double tolerance_m) {
   int rounds = 0;
   double best = 0.0;
-  std::size_t ring = 0;
-  const auto look = [&](const Ring& points) {
-    const std::vector<int>& of_edges = edged.rounds[ring++];
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vector2d& a_W = points[i];
-      const Vector2d& b_W = points[(i + 1) % points.size()];
-      if (std::abs(distance_to_segment(p_W, a_W, b_W) - distance_m) > tolerance_m) continue;
-      const double alike = std::abs(along.dot((b_W - a_W).normalized()));
-      if (alike <= best) continue;
-      best = alike;
-      rounds = of_edges[i];
-    }
-  };
-  for (const PolygonPart& part : edged.ground.parts) {
-    look(part.outer);
-    for (const Ring& hole : part.holes) look(hole);
-  }
+  for_each_edge(edged, [&](const Vector2d& a_W, const Vector2d& b_W, int of_edge) {
+    if (std::abs(distance_to_segment(p_W, a_W, b_W) - distance_m) > tolerance_m) return;
+    const double alike = std::abs(along.dot((b_W - a_W).normalized()));
+    if (alike <= best) return;
+    best = alike;
+    rounds = of_edge;
+  });
   return rounds;
+}
+
+// Edges with fewer rounds than turning needs.
+std::vector<NarrowEdge> narrow_edges(const PlanRequest& request, const EdgeRounds& edges,
+                                     double first_m) {
+  const int enough = rounds_for_turning(request);
+  std::vector<NarrowEdge> narrow;
+  for (std::size_t i = 0; i < edges.edges.size(); ++i) {
+    const int rounds = edges.rounds[i];
+    if (rounds >= enough) continue;
+    narrow.push_back(
+        {edges.edges[i].line_W, headland_width_m(rounds, first_m, request.working_width_m)});
+  }
+  return narrow;
 }
 
 }  // namespace
@@ -128,24 +177,10 @@ std::vector<PlannedEdge> planned_edges(const EdgeRounds& edges, double width_m, 
   for (std::size_t i = 0; i < edges.edges.size(); ++i) {
     const FieldEdge& edge = edges.edges[i];
     const int rounds = edges.rounds[i];
-    planned.push_back({edge.hole, edge.edge, rounds,
-                       rounds == 0 ? 0.0 : first_m + (rounds - 0.5) * width_m, edge.line_W.front(),
-                       edge.line_W.back()});
+    planned.push_back({edge.hole, edge.edge, rounds, headland_width_m(rounds, first_m, width_m),
+                       edge.line_W.front(), edge.line_W.back()});
   }
   return planned;
-}
-
-std::vector<NarrowEdge> narrow_edges(const PlanRequest& request, const EdgeRounds& edges,
-                                     double first_m) {
-  const int enough = rounds_for_turning(request);
-  std::vector<NarrowEdge> narrow;
-  for (std::size_t i = 0; i < edges.edges.size(); ++i) {
-    const int rounds = edges.rounds[i];
-    if (rounds >= enough) continue;
-    const double width_m = rounds == 0 ? 0.0 : first_m + (rounds - 0.5) * request.working_width_m;
-    narrow.push_back({edges.edges[i].line_W, width_m});
-  }
-  return narrow;
 }
 
 PolygonSet kept_whole(const PlanRequest& request, const EdgedGround& edged,
@@ -171,23 +206,22 @@ PolygonSet kept_whole(const PlanRequest& request, const EdgedGround& edged,
 Headland ground_by_edge(const PlanRequest& request, const PolygonSet& field, double first_m,
                         const EdgeRounds& edges) {
   const double width_m = request.working_width_m;
-  const int most = std::max(most_rounds(edges), request.field.obstacles.empty() ? 0 : edges.others);
+  const int most = rounds_of_all(edges, !request.field.obstacles.empty()).most;
   Headland headland;
   headland.rounds = most;
-  headland.width_m = most == 0 ? 0.0 : first_m + (most - 0.5) * width_m;
+  headland.width_m = headland_width_m(most, first_m, width_m);
   headland.edged = edged_ground(field, edges);
   headland.edges = planned_edges(edges, width_m, first_m);
   headland.narrow = narrow_edges(request, edges, first_m);
   const EdgedGround& edged = headland.edged;
   const double hull_m = 0.5 * request.vehicle_width_m + request.clearance_m;
-  headland.drivable = difference(
-      field, united(std::vector<PolygonSet>{zone_beside(edged, {1, kMostRounds}, first_m),
-                                            zone_beside(edged, {0, 0}, hull_m)}));
+  headland.drivable =
+      difference(field, united(std::vector<PolygonSet>{zone_beside(edged, {1}, first_m),
+                                                       zone_beside(edged, {0, 0}, hull_m)}));
   std::vector<PolygonSet> zones;
   zones.reserve(static_cast<std::size_t>(most) + 1);
   for (int round = 0; round < most; ++round) {
-    zones.push_back(
-        zone_beside(edged, {round + 1, kMostRounds}, first_m + (round + 0.5) * width_m));
+    zones.push_back(zone_beside(edged, {round + 1}, first_m + (round + 0.5) * width_m));
   }
   // An implement no wider than the hull would take it over an edge without headland.
   zones.push_back(zone_beside(edged, {0, 0}, hull_m - kLeastSpacing * 0.5 * width_m));
@@ -207,35 +241,50 @@ Headland headland_by_edge(const PlanRequest& request, const PolygonSet& field,
     return simplified(buffered(ground, distance_m, Join::kRound), kOutlineTolerance_m);
   };
   const FreeSpace space = free_space(request.field, hull_of(request));
+  const int of_all = rounds_of_all(edges, !request.field.obstacles.empty()).least;
   PolygonSet worked;  // by the rounds so far
   PolygonSet inside_before = field;
   std::vector<PolygonSet> left;
   for (int round = 0; round < headland.rounds; ++round) {
     stop_if(request.cancelled);
     const double distance_m = first_m + round * width_m;
-    const double radius_m = kRadiusMargin * request.turning_radius_m;
-    // Beside edges with fewer rounds every round swings as near to them as the first one.
-    const double corner_radius_m = kRadiusMargin * first.radius_m;
-    const RoundsRange with{round + 1, kMostRounds};
+    const RoundsRange with{round + 1};
     const PolygonSet zone = zone_beside(edged, with, distance_m + 0.5 * width_m);
+    if (round < of_all) {
+      const HeadlandRound made = round_of_all(request, field, first, round);
+      headland.rings.insert(headland.rings.end(), made.rings.begin(), made.rings.end());
+      if (round > 0 && corners_are_worked) {
+        left.push_back(
+            worth_working(difference(inside_before, beside(made.ground, 0.5 * width_m)), width_m));
+      }
+      inside_before = beside(made.ground, -0.5 * width_m);
+      worked = united(std::vector<PolygonSet>{worked, zone});
+      continue;
+    }
+    // Beside edges with fewer rounds every round swings as near to them as the first one.
+    const Rounding rounding{kRadiusMargin * request.turning_radius_m,
+                            kRadiusMargin * first.radius_m, field, first_m};
     const PolygonSet ground =
         difference(field, united(std::vector<PolygonSet>{zone_beside(edged, with, distance_m),
                                                          zone_beside(edged, {0, round}, first_m)}));
-    const HeadlandRound made =
-        round_along(ground, round, {radius_m, corner_radius_m, field, first_m}, request);
+    const HeadlandRound made = round_along(ground, round, rounding, request);
+    const std::size_t before = headland.rings.size();
     for (const HeadlandRing& ring : made.rings) {
-      append_stretches(
-          ring, request, space,
-          [&](const Vector2d& p_W) { return holds(zone, p_W) && !holds(worked, p_W); },
-          headland.rings);
+      stop_if(request.cancelled);
+      append_stretches(ring, wanted_points(ring, edged, zone, worked), request, space,
+                       headland.rings);
     }
     if (round > 0 && corners_are_worked) {
       left.push_back(worth_working(
           intersection(zone, difference(inside_before, beside(made.ground, 0.5 * width_m))),
           width_m));
     }
+    std::vector<PolygonSet> driven{zone};
+    for (std::size_t i = before; i < headland.rings.size(); ++i) {
+      driven.push_back(strip(headland.rings[i].line_W, width_m));
+    }
     inside_before = united(
-        std::vector<PolygonSet>{difference(inside_before, zone),
+        std::vector<PolygonSet>{difference(inside_before, united(driven)),
                                 intersection(inside_before, beside(made.ground, -0.5 * width_m))});
     worked = united(std::vector<PolygonSet>{worked, zone});
   }

@@ -6,11 +6,11 @@
 
 namespace headland {
 
-// Rounds as of make_headland, each along the edges that have it alone: where it comes to an edge
-// with fewer rounds it runs on to that one's headland - or turns off before the edge, where there
-// is none - and ends. At the corner of two edges the wider headland reaches through to the other
-// edge. `field` is the ground (from_field), `first` of first_round. Throws PlanInfeasible when not
-// even one ring fits where one is asked for, Cancelled.
+// Rounds as of make_headland; those that not all edges have run along the edges that have them
+// alone. Where such a round comes to an edge without it, it runs on to that one's headland - or
+// turns off before the edge, where there is none - and ends. At the corner of two edges the wider
+// headland reaches through to the other edge. `field` is the ground (from_field), `first` of
+// first_round. Throws PlanInfeasible when not even one ring fits where one is asked for, Cancelled.
 Headland headland_by_edge(const PlanRequest& request, const PolygonSet& field,
                           const FirstRound& first, const EdgeRounds& edges);
 
@@ -21,10 +21,6 @@ Headland ground_by_edge(const PlanRequest& request, const PolygonSet& field, dou
 
 // Every edge with its headland, `first_m` being the distance of the outermost round from it.
 std::vector<PlannedEdge> planned_edges(const EdgeRounds& edges, double width_m, double first_m);
-
-// Edges with fewer rounds than turning needs.
-std::vector<NarrowEdge> narrow_edges(const PlanRequest& request, const EdgeRounds& edges,
-                                     double first_m);
 
 // The stretches of a line at `distance_m` from edges that have more rounds than `round`: at every
 // place that of the edges as far away which lies most along the line tells.

@@ -45,14 +45,52 @@ std::vector<std::size_t> near_corner(const Ring& ring, std::size_t corner) {
   return near;
 }
 
+// Whether an outline bends on from one corner to the next: no point turns by a corner's angle
+// alone, every one turns the same way and sees such a turn (`turns_near`), and the next one as
+// well.
+bool bends_on(const Ring& ring, const std::vector<char>& turns_near, std::size_t from,
+              std::size_t to) {
+  const double way = turn_at(ring, from);
+  for (std::size_t i = from;; i = (i + 1) % ring.size()) {
+    const double turn_rad = turn_at(ring, i);
+    if (turns_near[i] == 0 || turn_rad * way <= 0.0 || std::abs(turn_rad) > kEdgeCorner_rad) {
+      return false;
+    }
+    if (i == to) return true;
+    if ((ring[(i + 1) % ring.size()] - ring[i]).norm() > 0.5 * kEdgeCornerWindow_m) return false;
+  }
+}
+
+// One corner, the middle one, of every row of them along a bend.
+std::vector<std::size_t> without_bends(const Ring& ring, const std::vector<char>& turns_near,
+                                       const std::vector<std::size_t>& corners) {
+  const std::size_t count = corners.size();
+  const auto goes_on = [&](std::size_t c) {  // from corner c to the next one
+    return bends_on(ring, turns_near, corners[c % count], corners[(c + 1) % count]);
+  };
+  std::size_t first = 0;
+  while (first < count && goes_on(first + count - 1)) ++first;
+  if (first == count) first = 0;  // a bend all round
+  std::vector<std::size_t> kept;
+  for (std::size_t c = 0; c < count; ++c) {
+    const std::size_t begin = c;
+    while (c + 1 < count && goes_on(first + c)) ++c;
+    kept.push_back(corners[(first + (begin + c) / 2) % count]);
+  }
+  std::ranges::sort(kept);
+  return kept;
+}
+
 std::vector<std::size_t> corners_of_outline(const Ring& ring) {
   std::vector<double> turns(ring.size());
   for (std::size_t i = 0; i < ring.size(); ++i) turns[i] = turn_at(ring, i);
+  std::vector<char> turns_near(ring.size(), 0);
   std::vector<std::pair<double, std::size_t>> candidates;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     double turned_rad = 0.0;
     for (const std::size_t near : near_corner(ring, i)) turned_rad += turns[near];
     if (std::abs(turned_rad) > kEdgeCorner_rad && std::abs(turns[i]) > kLeastTurn_rad) {
+      turns_near[i] = 1;
       candidates.emplace_back(-std::abs(turned_rad) - std::abs(turns[i]), i);
     }
   }
@@ -66,7 +104,7 @@ std::vector<std::size_t> corners_of_outline(const Ring& ring) {
     for (const std::size_t near : near_corner(ring, corner)) taken[near] = 1;
   }
   std::ranges::sort(corners);
-  return corners;
+  return without_bends(ring, turns_near, corners);
 }
 
 void append_edges(const Ring& ring, int hole, std::vector<FieldEdge>& edges) {
@@ -136,7 +174,13 @@ std::vector<std::size_t> named_edges(const EdgeHeadland& entry, std::size_t numb
 }
 
 int rounds_asked(const EdgeHeadland& entry, std::size_t number, double width_m, double first_m) {
-  if (entry.passes) return *entry.passes;
+  if (entry.passes) {
+    if (*entry.passes < 0 || *entry.passes > kMostRounds) {
+      throw InputError("plan", key_of(number), fmt::format("passes {}", *entry.passes),
+                       fmt::format("0 to {} passes", kMostRounds));
+    }
+    return *entry.passes;
+  }
   if (entry.width_m <= 0.0) return 0;
   const double outside_m = first_m - 0.5 * width_m;
   const double rounds = std::ceil((entry.width_m - outside_m) / width_m - kWidthTolerance);
@@ -190,8 +234,15 @@ bool is_grazed(const Vector2d& run, double direction_rad) {
   return std::abs(cross(run, direction)) < std::sin(kEdgeCorner_rad) * run.norm();
 }
 
-int most_rounds(const EdgeRounds& edges) {
-  return edges.rounds.empty() ? edges.others : *std::ranges::max_element(edges.rounds);
+RoundsOfAll rounds_of_all(const EdgeRounds& edges, bool obstacles) {
+  std::vector<int> rounds = edges.rounds;
+  if (obstacles || rounds.empty()) rounds.push_back(edges.others);
+  const auto [least, most] = std::ranges::minmax(rounds);
+  return {least, most};
+}
+
+bool is_one_number(const RoundsOfAll& rounds) {
+  return rounds.least == rounds.most && rounds.least > 0;
 }
 
 }  // namespace headland

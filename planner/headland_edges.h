@@ -17,7 +17,7 @@ inline constexpr double kEdgeCorner_rad = 0.44;  // 25 degrees
 inline constexpr double kEdgeCornerWindow_m = 5.0;
 // A place names the edge that it lies on or this near to [m].
 inline constexpr double kFarthestFromEdge_m = 50.0;
-inline constexpr int kMostRounds = 20;
+inline constexpr int kMostRounds = 20;  // that an edge can be given
 
 // Edges count from 1, with the field on their left: those of the boundary counter-clockwise from
 // the first corner on, those of holes likewise. `hole` counts from 1, 0 is the boundary. An outline
@@ -44,7 +44,8 @@ struct EdgeRounds {
 // many passes of the working width as cover it, when the outermost lies `first_m` from the edge;
 // entries for all edges of a ring yield to those for one. Throws InputError("plan",
 // "headland_edges[i]", ...) for a hole or an edge that is not there, a place more than
-// kFarthestFromEdge_m from every edge, an edge named twice, and more than kMostRounds.
+// kFarthestFromEdge_m from every edge, an edge named twice, and passes below 0 or above
+// kMostRounds.
 EdgeRounds edge_rounds(const PlanRequest& request, int others, double first_m);
 
 // An edge with too little headland for swaths that end at it.
@@ -57,6 +58,14 @@ struct NarrowEdge {
 // at others.
 bool is_grazed(const Eigen::Vector2d& run, double direction_rad);
 
-int most_rounds(const EdgeRounds& edges);
+// The fewest and the most rounds of all edges, obstacles' where the field has some.
+struct RoundsOfAll {
+  int least = 0;
+  int most = 0;
+};
+RoundsOfAll rounds_of_all(const EdgeRounds& edges, bool obstacles);
+
+// Whether the headland is as one number of rounds for all edges gives it.
+bool is_one_number(const RoundsOfAll& rounds);
 
 }  // namespace headland

@@ -99,18 +99,36 @@ void refuse_headland(const PlanRequest& request, const PolygonSet& field, const 
       widest.centre_W.y()));
 }
 
+bool differs_by_edge(const Headland& headland) { return !headland.edged.ground.parts.empty(); }
+
+HeadlandRound round_of_all(const PlanRequest& request, const PolygonSet& field,
+                           const FirstRound& first, int round) {
+  const double distance_m = first.distance_m + round * request.working_width_m;
+  const double radius_m = kRadiusMargin * request.turning_radius_m;
+  const double corner_radius_m = round == 0 ? kRadiusMargin * first.radius_m : radius_m;
+  // A corner that sticks into the ground is passed at constant distance where the vehicle can
+  // follow that arc, else along its sharp offset, rounded.
+  const Join join = distance_m < radius_m ? Join::kMitre : Join::kRound;
+  return round_along(buffered(field, -distance_m, join), round,
+                     {radius_m, corner_radius_m, field, first.distance_m}, request);
+}
+
 Headland make_headland(const PlanRequest& request, int rounds) {
   const double width_m = request.working_width_m;
   const FirstRound first = first_round(request);
   const double first_m = first.distance_m;
   const PolygonSet field = from_field(request.field, obstacle_margin_m(request, first_m));
+  Headland headland;
   if (!request.headland_edges.empty()) {
-    return headland_by_edge(request, field, first, edge_rounds(request, rounds, first_m));
+    const EdgeRounds edges = edge_rounds(request, rounds, first_m);
+    const RoundsOfAll of_all = rounds_of_all(edges, !request.field.obstacles.empty());
+    if (!is_one_number(of_all)) return headland_by_edge(request, field, first, edges);
+    rounds = of_all.most;
+    headland.edges = planned_edges(edges, width_m, first_m);
   }
 
-  Headland headland;
   headland.rounds = rounds;
-  headland.width_m = first_m + (rounds - 0.5) * width_m;
+  headland.width_m = headland_width_m(rounds, first_m, width_m);
   headland.drivable = buffered(field, -first_m, Join::kRound);
   headland.inner = buffered(field, -headland.width_m, Join::kRound);
   std::vector<PolygonSet> inner{headland.inner};
@@ -124,14 +142,7 @@ Headland make_headland(const PlanRequest& request, int rounds) {
   };
   for (int round = 0; round < rounds; ++round) {
     stop_if(request.cancelled);
-    const double distance_m = first_m + round * width_m;
-    const double radius_m = kRadiusMargin * request.turning_radius_m;
-    const double corner_radius_m = round == 0 ? kRadiusMargin * first.radius_m : radius_m;
-    // A corner that sticks into the ground is passed at constant distance where the vehicle can
-    // follow that arc, else along its sharp offset, rounded.
-    const Join join = distance_m < radius_m ? Join::kMitre : Join::kRound;
-    const HeadlandRound made = round_along(buffered(field, -distance_m, join), round,
-                                           {radius_m, corner_radius_m, field, first_m}, request);
+    const HeadlandRound made = round_of_all(request, field, first, round);
     headland.rings.insert(headland.rings.end(), made.rings.begin(), made.rings.end());
     if (round > 0 && corners_are_worked) {
       inner.push_back(

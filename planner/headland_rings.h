@@ -18,13 +18,15 @@ struct Headland {
   int rounds = 0;                   // there
   std::vector<HeadlandRing> rings;  // by round; within a round as GEOS gives them
   PolygonSet inner;                 // ground left for swaths
-  PolygonSet drivable;  // where the middle of a swath may run: implement and hull inside
-  // Where the request names edges:
+  PolygonSet drivable;             // where the middle of a swath may run: implement and hull inside
+  std::vector<PlannedEdge> edges;  // all, where the request names some
+  // Where edges have different numbers of rounds:
   PolygonSet inside;  // ground without headland
   EdgedGround edged;
-  std::vector<PlannedEdge> edges;
   std::vector<NarrowEdge> narrow;  // too narrow for turning
 };
+
+bool differs_by_edge(const Headland& headland);
 
 // The outermost ring: its distance from the boundary and the radius of its corners [m].
 struct FirstRound {
@@ -56,12 +58,17 @@ int rounds_for_turning(const PlanRequest& request);
 [[noreturn]] void refuse_headland(const PlanRequest& request, const PolygonSet& field,
                                   const FirstRound& first);
 
+// One round along all edges of `field`, the ground.
+HeadlandRound round_of_all(const PlanRequest& request, const PolygonSet& field,
+                           const FirstRound& first, int round);
+
 // `rounds` >= 1 rings from first_round inwards, one working width apart. A round that splits
 // becomes several rings, where the ground is narrower than two turning radii it vanishes; rounds
 // of boundary and holes that would meet are one round around both. Ground inside the first round
 // that no later round reaches, in pieces of more than a working width squared, is left to the
-// swaths. Edges that the request names have their own number of rounds (headland_by_edge.h). Throws
-// PlanInfeasible when not even one ring fits, InputError for edges that are not there, Cancelled.
+// swaths. Edges that the request names have their own number of rounds (headland_by_edge.h), unless
+// that comes to the same number for all. Throws PlanInfeasible when not even one ring fits,
+// InputError for edges that are not there, Cancelled.
 Headland make_headland(const PlanRequest& request, int rounds);
 
 }  // namespace headland

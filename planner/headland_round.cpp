@@ -35,6 +35,10 @@ std::vector<HeadlandRing> rings_of(const PolygonSet& ground, int round, double t
 
 bool is_closed(const HeadlandRing& ring) { return ring.line_W.front() == ring.line_W.back(); }
 
+double headland_width_m(int rounds, double first_m, double working_width_m) {
+  return rounds == 0 ? 0.0 : first_m + (rounds - 0.5) * working_width_m;
+}
+
 HeadlandRound round_along(const PolygonSet& ground, int round, const Rounding& rounding,
                           const PlanRequest& request) {
   const auto fine = [&](const HeadlandRing& ring) {

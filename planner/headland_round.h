@@ -22,6 +22,9 @@ struct HeadlandRing {
 
 bool is_closed(const HeadlandRing& ring);
 
+// Width [m] of a headland of so many rounds, the outermost `first_m` from its edge; 0 for none.
+double headland_width_m(int rounds, double first_m, double working_width_m);
+
 // Rounding is done with a larger radius, because filtering tightens a circle of radius R by
 // sigma^2 / (2 R^2) = 0.5 % and leaves about 1 % of ripple.
 inline constexpr double kRadiusMargin = 1.03;

@@ -237,6 +237,15 @@ std::vector<PolygonPart> cut_apart(const PolygonPart& ground, std::span<const Po
   return std::move(pieces.parts);
 }
 
+bool holds(const PolygonPart& part, const Eigen::Vector2d& p_W) {
+  return inside_ring(part.outer, p_W) &&
+         std::ranges::none_of(part.holes, [&](const Ring& hole) { return inside_ring(hole, p_W); });
+}
+
+bool holds(const PolygonSet& set, const Eigen::Vector2d& p_W) {
+  return std::ranges::any_of(set.parts, [&](const PolygonPart& part) { return holds(part, p_W); });
+}
+
 double area_m2(const PolygonSet& set) {
   double sum_m2 = 0.0;
   for (const PolygonPart& part : set.parts) {

@@ -76,6 +76,10 @@ std::vector<Polyline> clip_line(const Polyline& line, const PolygonSet& set);
 // edges to the bit: where a line or another piece's corner meets an edge, both have a point.
 std::vector<PolygonPart> cut_apart(const PolygonPart& ground, std::span<const Polyline> lines);
 
+// Whether p_W lies inside.
+bool holds(const PolygonPart& part, const Eigen::Vector2d& p_W);
+bool holds(const PolygonSet& set, const Eigen::Vector2d& p_W);
+
 double area_m2(const PolygonSet& set);
 double length_m(const Polyline& line);
 

@@ -108,4 +108,9 @@ PathPoint work_line_begin(const Pass& pass, double implement_x_B_m) {
   return axle_point(pass, arc_length_line(pass.points_W), -implement_x_B_m);
 }
 
+PathPoint work_line_end(const Pass& pass, double implement_x_B_m) {
+  const ArcLengthLine line = arc_length_line(pass.points_W);
+  return axle_point(pass, line, line.length_m() - implement_x_B_m);
+}
+
 }  // namespace headland

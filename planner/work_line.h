@@ -43,6 +43,9 @@ void add_run_in(WorkLine& line, double length_m);
 // Its first point alone.
 PathPoint work_line_begin(const Pass& pass, double implement_x_B_m);
 
+// Its last point alone; of an open line.
+PathPoint work_line_end(const Pass& pass, double implement_x_B_m);
+
 inline constexpr double kSmoothing_m = 0.75;
 
 }  // namespace headland

@@ -62,7 +62,7 @@ Plan plan_along(const SwathGrid& grid, const Headland& headland, const PlanReque
   plan.swath_direction_rad = grid.direction_rad;
   plan.headland_width_m = headland.width_m;
   plan.headland_edges = headland.edges;
-  if (!headland.edges.empty()) {
+  if (differs_by_edge(headland)) {
     plan.kept_whole = kept_whole(request, headland.edged, headland.inside, grid.direction_rad);
   }
   return plan;
@@ -73,15 +73,15 @@ void append_round(const PlanRequest& request, const FreeSpace& space, const Poly
                   double distance_m, int round, const Headland& headland, WorkedGround& ground,
                   std::vector<EdgePass>& edges) {
   const EdgeOptions options{number(request.parameters, "overhang_m"), 1.0};
-  if (headland.edges.empty()) {
+  if (!differs_by_edge(headland)) {
     for (EdgePass& edge : edge_round(request, space, field, distance_m, round, options, ground)) {
       edges.push_back(std::move(edge));
     }
     return;
   }
   WorkedGround wanted = ground;
-  leave_to_work(wanted, zone_beside(headland.edged, {round + 1, kMostRounds},
-                                    distance_m + 0.5 * request.working_width_m));
+  leave_to_work(
+      wanted, zone_beside(headland.edged, {round + 1}, distance_m + 0.5 * request.working_width_m));
   for (EdgePass& edge : edge_round(request, space, field, distance_m, round, options, wanted)) {
     for (Polyline& line_W :
          stretches_along(headland.edged, edge.line_W, distance_m, request.working_width_m, round)) {
@@ -99,14 +99,18 @@ Headland headland_around(const PlanRequest& request, const PolygonSet& field, in
   const double first_m = edge_distance_m(request);
   const double width_m = request.working_width_m;
   Headland headland;
-  if (request.headland_edges.empty()) {
-    headland.rounds = rounds;
-    headland.width_m = first_m + (rounds - 0.5) * width_m;
-    headland.inner = buffered(field, -headland.width_m, Join::kRound);
-    headland.drivable = buffered(field, -first_m, Join::kRound);
-    return headland;
+  if (!request.headland_edges.empty()) {
+    const EdgeRounds edges = edge_rounds(request, rounds, first_m);
+    const RoundsOfAll of_all = rounds_of_all(edges, !request.field.obstacles.empty());
+    if (!is_one_number(of_all)) return ground_by_edge(request, field, first_m, edges);
+    rounds = of_all.most;
+    headland.edges = planned_edges(edges, width_m, first_m);
   }
-  return ground_by_edge(request, field, first_m, edge_rounds(request, rounds, first_m));
+  headland.rounds = rounds;
+  headland.width_m = headland_width_m(rounds, first_m, width_m);
+  headland.inner = buffered(field, -headland.width_m, Join::kRound);
+  headland.drivable = buffered(field, -first_m, Join::kRound);
+  return headland;
 }
 
 // Everything that can be reached is worked, corners too.

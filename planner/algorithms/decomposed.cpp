@@ -167,7 +167,7 @@ Plan plan_decomposed(const PlanRequest& asked_for) {
   plan.swath_direction_rad = grids.front().direction_rad;
   plan.headland_width_m = headland.width_m;
   plan.headland_edges = headland.edges;
-  if (!headland.edges.empty()) {
+  if (differs_by_edge(headland)) {
     plan.kept_whole = headland.inside;
     for (const SwathGrid& grid : grids) {
       plan.kept_whole = kept_whole(request, headland.edged, *plan.kept_whole, grid.direction_rad);

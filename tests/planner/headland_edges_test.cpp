@@ -91,6 +91,22 @@ TEST(FieldEdges, AChamferedCornerIsOneCorner) {
   EXPECT_EQ(edges.size(), 3U);
 }
 
+TEST(FieldEdges, ABendIsOneCornerHoweverWide) {
+  for (const double radius_m : {2.0, 3.0, 5.0, 7.0, 9.0}) {
+    Ring ring{{0, 0}, {150, 0}};
+    for (int i = 0; i <= 18; ++i) {
+      const double at_rad = i * kPi / 36;
+      ring.emplace_back(150 - radius_m + radius_m * std::cos(at_rad),
+                        150 - radius_m + radius_m * std::sin(at_rad));
+    }
+    ring.emplace_back(0, 150);
+    EXPECT_EQ(edges_of(field_of("rounded", ring)).size(), 4U) << radius_m << " m";
+  }
+  Field field = plain_square();
+  field.holes = {reversed(regular_ring({75, 75}, 6, 64))};
+  EXPECT_EQ(edges_of(field).size(), 4U + 1U) << "a round hole";
+}
+
 TEST(FieldEdges, WidthsAreCoveredByPasses) {
   PlanRequest request = tractor_request(plain_square(), "boustrophedon");
   EdgeHeadland wide = by_place(75, 0, 0);
@@ -135,11 +151,13 @@ TEST(FieldEdges, WhatIsNotThereIsRefused) {
   wide.passes.reset();
   wide.width_m = 200.0;
   EXPECT_THAT(refused({wide}), HasSubstr("'width_m 200': at most 20 passes of 9 m each"));
+  EXPECT_THAT(refused({by_number(0, 1, 21)}), HasSubstr("'passes 21': 0 to 20 passes"));
+  EXPECT_THAT(refused({by_number(0, 1, -1)}), HasSubstr("'passes -1': 0 to 20 passes"));
 }
 
 double zone_m2(const Field& field, std::vector<int> rounds, double distance_m) {
   EdgeRounds edges{edges_of(field), std::move(rounds), 0};
-  return area_m2(zone_beside(edged_ground(from_field(field), edges), {1, 20}, distance_m));
+  return area_m2(zone_beside(edged_ground(from_field(field), edges), {1}, distance_m));
 }
 
 TEST(EdgeZones, RunStraightOnToTheNeighbourAndRoundAboutCorners) {
@@ -164,19 +182,85 @@ TEST(EdgeZones, DoNotReachAcrossGroundThatIsNoField) {
               kOfChords * kPi * 144.0);
 }
 
-TEST(HeadlandByEdge, AlikeEdgesAreAsOneForAll) {
-  PlanRequest request = tractor_request(plain_square(), "boustrophedon");
-  const Headland whole = make_headland(request, 2);
-  for (int edge = 1; edge <= 4; ++edge) request.headland_edges.push_back(by_number(0, edge, 2));
-  const Headland by_edge = make_headland(request, 1);
-  EXPECT_DOUBLE_EQ(by_edge.width_m, whole.width_m);
-  EXPECT_NEAR(area_m2(by_edge.inner), area_m2(whole.inner), kGridRounding_m2);
-  ASSERT_EQ(by_edge.rings.size(), whole.rings.size());
-  for (std::size_t i = 0; i < whole.rings.size(); ++i) {
-    EXPECT_TRUE(is_closed(by_edge.rings[i]));
-    EXPECT_NEAR(length_m(by_edge.rings[i].line_W), length_m(whole.rings[i].line_W),
-                kOfChords * length_m(whole.rings[i].line_W));
+// With turning radii below and well above the working width.
+struct Alike {
+  const char* vehicle = "";
+  Field field;
+};
+
+std::vector<Alike> alike_cases() {
+  std::vector<Alike> cases;
+  for (const char* vehicle : {"transplanter", "horticultural_tractor"}) {
+    cases.push_back({vehicle, field_of("wide", rectangle_ring(0, 0, 60, 45))});
+    cases.push_back({vehicle, field_of("sharp", {{0, 0}, {80, 0}, {60, 45}, {0, 45}})});
   }
+  return cases;
+}
+
+TEST(HeadlandByEdge, AlikeEdgesAreAsOneForAll) {
+  for (const Alike& alike : alike_cases()) {
+    const Vehicle vehicle = load_vehicle(alike.vehicle);
+    PlanRequest request = request_by_edges(vehicle, alike.field, "boustrophedon");
+    const Headland whole = make_headland(request, 3);
+    const Plan plan = plan_boustrophedon(request);
+    const Path path = make_path(alike.field, vehicle, plan, {});
+    for (int edge = 1; edge <= 4; ++edge) request.headland_edges.push_back(by_number(0, edge, 3));
+    const Headland by_edge = make_headland(request, 1);
+    EXPECT_EQ(by_edge.width_m, whole.width_m);
+    EXPECT_EQ(area_m2(by_edge.inner), area_m2(whole.inner));
+    ASSERT_EQ(by_edge.rings.size(), whole.rings.size());
+    for (std::size_t i = 0; i < whole.rings.size(); ++i) {
+      EXPECT_EQ(by_edge.rings[i].line_W, whole.rings[i].line_W);
+    }
+    // The same when one edge is given what all have.
+    const int rounds = rounds_for_turning(request);
+    request.headland_edges = {by_number(0, 1, rounds)};
+    const Plan named = plan_boustrophedon(request);
+    EXPECT_EQ(named.headland_edges.size(), 4U);
+    ASSERT_EQ(named.passes.size(), plan.passes.size());
+    EXPECT_EQ(named.planned_length_m, plan.planned_length_m);
+    EXPECT_EQ(length_m(make_path(alike.field, vehicle, named, {})), length_m(path));
+  }
+}
+
+// Rounds that all edges have are closed, and those of one edge more do not break at its corners.
+TEST(HeadlandByEdge, RoundsThatAllEdgesHaveStayClosed) {
+  for (const Alike& alike : alike_cases()) {
+    const Vehicle vehicle = load_vehicle(alike.vehicle);
+    for (const int passes : {3, 4, 5}) {
+      PlanRequest request = request_by_edges(vehicle, alike.field, "boustrophedon");
+      request.headland_edges = {by_number(0, 1, passes)};
+      const Headland headland = make_headland(request, 3);
+      EXPECT_EQ(std::ranges::count_if(headland.rings, is_closed), 3);
+      EXPECT_EQ(std::ssize(headland.rings), passes);
+    }
+  }
+}
+
+// Two neighbours with a round more: it runs round their corner in one stretch.
+TEST(HeadlandByEdge, ARoundRunsOnAroundTheCornerOfTwoEdgesThatHaveIt) {
+  for (const Alike& alike : alike_cases()) {
+    const Vehicle vehicle = load_vehicle(alike.vehicle);
+    PlanRequest request = request_by_edges(vehicle, alike.field, "boustrophedon");
+    request.headland_edges = {by_number(0, 1, 4), by_number(0, 2, 4)};
+    const Headland headland = make_headland(request, 3);
+    EXPECT_EQ(std::ssize(headland.rings), 4);
+  }
+}
+
+TEST(HeadlandByEdge, MoreRoundsThanAnEdgeCanBeGivenAreThoseOfTheOthers) {
+  PlanRequest request = tractor_request(plain_square(), "boustrophedon");
+  request.working_width_m = 1.0;
+  request.vehicle_width_m = 0.8;
+  request.headland_edges = {by_number(0, 1, 20)};
+  const double first_m = first_round(request).distance_m;
+  const Headland headland = ground_by_edge(request, from_field(request.field), first_m,
+                                           edge_rounds(request, 25, first_m));
+  const double width_m = headland_width_m(25, first_m, 1.0);
+  EXPECT_DOUBLE_EQ(headland.width_m, width_m);
+  EXPECT_NEAR(area_m2(headland.inside),
+              (150.0 - 2.0 * width_m) * (150.0 - width_m - headland_width_m(20, first_m, 1.0)),
+              kGridRounding_m2);
 }
 
 TEST(HeadlandByEdge, EveryEdgeHasItsWidth) {
