@@ -39,8 +39,10 @@ class NotingFiles : public Assimp::DefaultIOSystem {
     Assimp::IOStream* const stream = DefaultIOSystem::Open(file, mode);
     const std::string name = std::filesystem::path(file).filename().string();
     if (stream == nullptr) {
-      // When its materials' file is not there, assimp looks for one of the mesh's own name.
-      if (name != own_ || missing_.empty()) missing_.push_back(name);
+      // assimp looks for a file in several places, and for materials at last by the mesh's own
+      // name.
+      const bool known = std::find(missing_.begin(), missing_.end(), name) != missing_.end();
+      if (!known && (name != own_ || missing_.empty())) missing_.push_back(name);
     } else if (name == own_) {
       missing_.clear();
     }
