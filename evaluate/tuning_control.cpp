@@ -55,6 +55,7 @@ std::vector<PlanRun> take_control(std::vector<PlanRun>& held_out) {
   }
   std::erase_if(held_out, of_control);
   std::vector<PlanRun> means;
+  means.reserve(controls.size());
   for (const auto& [block, runs] : controls) means.push_back(mean_of(runs));
   return means;
 }

@@ -77,7 +77,8 @@ TEST(RunEvent, IsFoundWhereItHappened) {
     find_event("worst_case", path, run);
     FAIL() << "an unknown event was taken";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("'worst_case': unknown event; did you mean 'worst_slip'?"));
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("'worst_case': unknown event; did you mean 'worst_slip'?"));
   }
 }
 
