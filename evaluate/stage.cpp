@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "evaluate/scenario.h"
+#include "planner/planned_vehicle.h"
 #include "terrains/geo_frame.h"
 #include "terrains/grid_map_file.h"
 #include "terrains/input_error.h"
@@ -115,13 +116,7 @@ PlanRequest plan_request(const Scenario& scenario, const Stage& stage) {
   PlanRequest request;
   request.field = stage.field;
   request.terrain = &stage.terrain;
-  request.working_width_m = vehicle.implement.working_width_m;
-  request.turning_radius_m = planning_turning_radius_m(vehicle);
-  request.vehicle_width_m = vehicle.body.width_m;
-  request.vehicle_front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
-  request.vehicle_rear_m = vehicle.body.rear_overhang_m;
-  request.implement_x_B_m = vehicle.implement.x_B_m;
-  request.forward_only = vehicle.implement.trailing.has_value();
+  set_vehicle(request, vehicle);
   request.clearance_m = scenario.path.clearance_m;
   request.parameters = scenario.planner.parameters;
   request.ab_line_W = ab_line_W(scenario, stage.field.frame);

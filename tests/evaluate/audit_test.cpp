@@ -11,6 +11,7 @@
 #include "evaluate/plan_file.h"
 #include "planner/arcs.h"
 #include "planner/drivable_path.h"
+#include "planner/planned_vehicle.h"
 #include "planner/planners.h"
 #include "terrains/input_error.h"
 #include "tests/evaluate/results_folder.h"
@@ -225,11 +226,7 @@ TEST_F(AuditFiles, AnswerIsTheSameWhoeverMadeThePath) {
   const Field field = audited_field();
   PlanRequest request;
   request.field = field;
-  request.working_width_m = vehicle_.implement.working_width_m;
-  request.turning_radius_m = planning_turning_radius_m(vehicle_);
-  request.vehicle_width_m = vehicle_.body.width_m;
-  request.vehicle_front_m = vehicle_.body.length_m - vehicle_.body.rear_overhang_m;
-  request.vehicle_rear_m = std::max(vehicle_.body.rear_overhang_m, -vehicle_.implement.x_B_m);
+  set_vehicle(request, vehicle_);
   const PlannerEntry& planner = find_planner("boustrophedon", "test");
   request.parameters = resolve_parameters(planner.parameters, {}, "test", "planner");
   const Path path = make_path(field, vehicle_, planner.plan(request), {});

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "planner/drivable_path.h"
+#include "planner/planned_vehicle.h"
 #include "planner/planners.h"
 #include "tests/terrains/refusal.h"
 #include "vehicle_models/vehicle_loader.h"
@@ -52,11 +53,7 @@ TEST(PathCheck, AcceptsWhatPlannersMake) {
   const Vehicle vehicle = load_vehicle("transplanter");
   PlanRequest request;
   request.field = field;
-  request.working_width_m = vehicle.implement.working_width_m;
-  request.turning_radius_m = planning_turning_radius_m(vehicle);
-  request.vehicle_width_m = vehicle.body.width_m;
-  request.vehicle_front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
-  request.vehicle_rear_m = vehicle.body.rear_overhang_m;
+  set_vehicle(request, vehicle);
   for (const PlannerEntry& planner : planners()) {
     request.parameters = resolve_parameters(planner.parameters, {}, "test", "");
     const Path path = make_path(field, vehicle, planner.plan(request), {});

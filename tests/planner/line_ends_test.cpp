@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "planner/drivable_path.h"
+#include "planner/planned_vehicle.h"
 #include "planner/planners.h"
 #include "vehicle_models/vehicle_loader.h"
 
@@ -31,11 +32,7 @@ Plan boustrophedon(const Field& field, const Vehicle& vehicle) {
   const PlannerEntry& planner = find_planner("boustrophedon", "test");
   PlanRequest request;
   request.field = field;
-  request.working_width_m = vehicle.implement.working_width_m;
-  request.turning_radius_m = planning_turning_radius_m(vehicle);
-  request.vehicle_width_m = vehicle.body.width_m;
-  request.vehicle_front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
-  request.vehicle_rear_m = vehicle.body.rear_overhang_m;
+  set_vehicle(request, vehicle);
   request.parameters = resolve_parameters(planner.parameters, {}, "test", "planner");
   return planner.plan(request);
 }

@@ -10,6 +10,7 @@
 #include "planner/free_space.h"
 #include "planner/headland_rings.h"
 #include "planner/outline.h"
+#include "planner/planned_vehicle.h"
 #include "planner/planners.h"
 #include "planner/ring_smoothing.h"
 #include "terrains/input_error.h"
@@ -27,11 +28,7 @@ PlanRequest request_for(const Field& field, const Vehicle& vehicle) {
   const PlannerEntry& planner = find_planner("boustrophedon", "test");
   PlanRequest request;
   request.field = field;
-  request.working_width_m = vehicle.implement.working_width_m;
-  request.turning_radius_m = planning_turning_radius_m(vehicle);
-  request.vehicle_width_m = vehicle.body.width_m;
-  request.vehicle_front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
-  request.vehicle_rear_m = vehicle.body.rear_overhang_m;
+  set_vehicle(request, vehicle);
   request.parameters = resolve_parameters(planner.parameters, {}, "test", "planner");
   return request;
 }
