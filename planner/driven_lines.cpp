@@ -18,6 +18,7 @@ constexpr double kFarthestBacking_m = 29.0;
 // So many of them are tried in turn before the vehicle is taken to be stuck, and each so often.
 constexpr std::size_t kLinesTried = 6;
 constexpr int kTriesEach = 6;
+
 std::optional<std::vector<Arc>> arcs_between(LineJoining& joining, std::size_t before,
                                              std::size_t next) {
   const std::vector<Arc>& known = joining.lines[before].turn_to_next;

@@ -21,6 +21,22 @@ struct EdgedGround {
 // rounds.
 EdgedGround edged_ground(PolygonSet ground, const EdgeRounds& edges);
 
+// Calls visit(a_W, b_W, rounds) for every edge of an EdgedGround, which may be const.
+template <typename Edged, typename Visit>
+void for_each_edge(Edged& edged, Visit visit) {
+  std::size_t ring = 0;
+  const auto look = [&](const Ring& points) {
+    auto& of_edges = edged.rounds[ring++];
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      visit(points[i], points[(i + 1) % points.size()], of_edges[i]);
+    }
+  };
+  for (const PolygonPart& part : edged.ground.parts) {
+    look(part.outer);
+    for (const Ring& hole : part.holes) look(hole);
+  }
+}
+
 // Which edges: those with [least, most] rounds.
 struct RoundsRange {
   int least = 0;

@@ -22,9 +22,6 @@ constexpr std::size_t kLeastPoints = 4;  // of a stretch that has a direction
 // A line beside an edge is as far from it as its round, to within so many working widths.
 constexpr double kBesideTolerance = 0.5;
 
-// Swaths spread evenly may lie closer than a working width, by this share of it.
-constexpr double kLeastSpacing = 0.9;
-
 HeadlandRing ring_along(const HeadlandRing& whole, Polyline line_W) {
   HeadlandRing ring{whole.round, whole.around_hole, std::move(line_W), {}};
   for (const Vector2d& p_W : ring.line_W) ring.box_W.extend(p_W);
@@ -43,22 +40,6 @@ void cut_to_fit(const PlanRequest& request, const FreeSpace& space, Polyline& li
     };
     while (line_W.size() > kLeastPoints && !fits_at_end()) line_W.pop_back();
     std::ranges::reverse(line_W);
-  }
-}
-
-// Calls visit(a_W, b_W, rounds) for every edge of the ground.
-template <typename Visit>
-void for_each_edge(const EdgedGround& edged, Visit visit) {
-  std::size_t ring = 0;
-  const auto look = [&](const Ring& points) {
-    const std::vector<int>& of_edges = edged.rounds[ring++];
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      visit(points[i], points[(i + 1) % points.size()], of_edges[i]);
-    }
-  };
-  for (const PolygonPart& part : edged.ground.parts) {
-    look(part.outer);
-    for (const Ring& hole : part.holes) look(hole);
   }
 }
 
@@ -138,20 +119,6 @@ int rounds_beside(const EdgedGround& edged, const Vector2d& p_W, const Vector2d&
   return rounds;
 }
 
-// Edges with fewer rounds than turning needs.
-std::vector<NarrowEdge> narrow_edges(const PlanRequest& request, const EdgeRounds& edges,
-                                     double first_m) {
-  const int enough = rounds_for_turning(request);
-  std::vector<NarrowEdge> narrow;
-  for (std::size_t i = 0; i < edges.edges.size(); ++i) {
-    const int rounds = edges.rounds[i];
-    if (rounds >= enough) continue;
-    narrow.push_back(
-        {edges.edges[i].line_W, headland_width_m(rounds, first_m, request.working_width_m)});
-  }
-  return narrow;
-}
-
 }  // namespace
 
 std::vector<Polyline> stretches_along(const EdgedGround& edged, const Polyline& line_W,
@@ -172,76 +139,16 @@ std::vector<Polyline> stretches_along(const EdgedGround& edged, const Polyline& 
   return stretches;
 }
 
-std::vector<PlannedEdge> planned_edges(const EdgeRounds& edges, double width_m, double first_m) {
-  std::vector<PlannedEdge> planned;
-  for (std::size_t i = 0; i < edges.edges.size(); ++i) {
-    const FieldEdge& edge = edges.edges[i];
-    const int rounds = edges.rounds[i];
-    planned.push_back({edge.hole, edge.edge, rounds, headland_width_m(rounds, first_m, width_m),
-                       edge.line_W.front(), edge.line_W.back()});
-  }
-  return planned;
-}
-
-PolygonSet kept_whole(const PlanRequest& request, const EdgedGround& edged,
-                      const PolygonSet& inside, double direction_rad) {
-  constexpr int kGrazed = -1;
-  const int enough = rounds_for_turning(request);
-  EdgedGround grazed = edged;
-  std::size_t ring = 0;
-  const auto mark = [&](const Ring& points) {
-    std::vector<int>& rounds = grazed.rounds[ring++];
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vector2d run = points[(i + 1) % points.size()] - points[i];
-      if (rounds[i] < enough && is_grazed(run, direction_rad)) rounds[i] = kGrazed;
-    }
-  };
-  for (const PolygonPart& part : edged.ground.parts) {
-    mark(part.outer);
-    for (const Ring& hole : part.holes) mark(hole);
-  }
-  return difference(inside, zone_beside(grazed, {kGrazed, kGrazed}, turning_depth_m(request)));
-}
-
-Headland ground_by_edge(const PlanRequest& request, const PolygonSet& field, double first_m,
-                        const EdgeRounds& edges) {
-  const double width_m = request.working_width_m;
-  const int most = rounds_of_all(edges, !request.field.obstacles.empty()).most;
-  Headland headland;
-  headland.rounds = most;
-  headland.width_m = headland_width_m(most, first_m, width_m);
-  headland.edged = edged_ground(field, edges);
-  headland.edges = planned_edges(edges, width_m, first_m);
-  headland.narrow = narrow_edges(request, edges, first_m);
-  const EdgedGround& edged = headland.edged;
-  const double hull_m = 0.5 * request.vehicle_width_m + request.clearance_m;
-  headland.drivable =
-      difference(field, united(std::vector<PolygonSet>{zone_beside(edged, {1}, first_m),
-                                                       zone_beside(edged, {0, 0}, hull_m)}));
-  std::vector<PolygonSet> zones;
-  zones.reserve(static_cast<std::size_t>(most) + 1);
-  for (int round = 0; round < most; ++round) {
-    zones.push_back(zone_beside(edged, {round + 1}, first_m + (round + 0.5) * width_m));
-  }
-  // An implement no wider than the hull would take it over an edge without headland.
-  zones.push_back(zone_beside(edged, {0, 0}, hull_m - kLeastSpacing * 0.5 * width_m));
-  headland.inside = difference(field, united(zones));
-  headland.inner = headland.inside;
-  return headland;
-}
-
-Headland headland_by_edge(const PlanRequest& request, const PolygonSet& field,
-                          const FirstRound& first, const EdgeRounds& edges) {
+void add_rounds_by_edge(const PlanRequest& request, const PolygonSet& field,
+                        const FirstRound& first, Headland& headland) {
   const double width_m = request.working_width_m;
   const double first_m = first.distance_m;
-  Headland headland = ground_by_edge(request, field, first_m, edges);
   const EdgedGround& edged = headland.edged;
   const bool corners_are_worked = !request.forward_only;
   const auto beside = [&](const PolygonSet& ground, double distance_m) {
     return simplified(buffered(ground, distance_m, Join::kRound), kOutlineTolerance_m);
   };
   const FreeSpace space = free_space(request.field, hull_of(request));
-  const int of_all = rounds_of_all(edges, !request.field.obstacles.empty()).least;
   PolygonSet worked;  // by the rounds so far
   PolygonSet inside_before = field;
   std::vector<PolygonSet> left;
@@ -250,7 +157,7 @@ Headland headland_by_edge(const PlanRequest& request, const PolygonSet& field,
     const double distance_m = first_m + round * width_m;
     const RoundsRange with{round + 1};
     const PolygonSet zone = zone_beside(edged, with, distance_m + 0.5 * width_m);
-    if (round < of_all) {
+    if (round < headland.least_rounds) {
       const HeadlandRound made = round_of_all(request, field, first, round);
       headland.rings.insert(headland.rings.end(), made.rings.begin(), made.rings.end());
       if (round > 0 && corners_are_worked) {
@@ -298,7 +205,6 @@ Headland headland_by_edge(const PlanRequest& request, const PolygonSet& field,
   left.push_back(headland.inside);
   headland.inner = united(left);
   if (headland.rings.empty() && headland.rounds > 0) refuse_headland(request, field, first);
-  return headland;
 }
 
 }  // namespace headland

@@ -99,8 +99,6 @@ void refuse_headland(const PlanRequest& request, const PolygonSet& field, const 
       widest.centre_W.y()));
 }
 
-bool differs_by_edge(const Headland& headland) { return !headland.edged.ground.parts.empty(); }
-
 HeadlandRound round_of_all(const PlanRequest& request, const PolygonSet& field,
                            const FirstRound& first, int round) {
   const double distance_m = first.distance_m + round * request.working_width_m;
@@ -118,19 +116,11 @@ Headland make_headland(const PlanRequest& request, int rounds) {
   const FirstRound first = first_round(request);
   const double first_m = first.distance_m;
   const PolygonSet field = from_field(request.field, obstacle_margin_m(request, first_m));
-  Headland headland;
-  if (!request.headland_edges.empty()) {
-    const EdgeRounds edges = edge_rounds(request, rounds, first_m);
-    const RoundsOfAll of_all = rounds_of_all(edges, !request.field.obstacles.empty());
-    if (!is_one_number(of_all)) return headland_by_edge(request, field, first, edges);
-    rounds = of_all.most;
-    headland.edges = planned_edges(edges, width_m, first_m);
+  Headland headland = headland_ground(request, field, rounds, first_m);
+  if (differs_by_edge(headland)) {
+    add_rounds_by_edge(request, field, first, headland);
+    return headland;
   }
-
-  headland.rounds = rounds;
-  headland.width_m = headland_width_m(rounds, first_m, width_m);
-  headland.drivable = buffered(field, -first_m, Join::kRound);
-  headland.inner = buffered(field, -headland.width_m, Join::kRound);
   std::vector<PolygonSet> inner{headland.inner};
   PolygonSet inside_before;
   // What rounds leave in their corners gets short swaths of its own, where there is no room to come
@@ -140,7 +130,7 @@ Headland make_headland(const PlanRequest& request, int rounds) {
   const auto beside = [&](const PolygonSet& ground, double distance_m) {
     return simplified(buffered(ground, distance_m, Join::kRound), kOutlineTolerance_m);
   };
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < headland.rounds; ++round) {
     stop_if(request.cancelled);
     const HeadlandRound made = round_of_all(request, field, first, round);
     headland.rings.insert(headland.rings.end(), made.rings.begin(), made.rings.end());

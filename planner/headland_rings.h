@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "planner/edge_zones.h"
+#include "planner/headland_ground.h"
 #include "planner/headland_round.h"
 #include "planner/plan.h"
 #include "planner/polygon.h"
@@ -12,21 +12,6 @@ namespace headland {
 
 // What the outermost ring keeps beyond the clearance asked for [m], for the errors of its rounding.
 inline constexpr double kRingMargin_m = 0.05;
-
-struct Headland {
-  double width_m = 0.0;             // where it is widest
-  int rounds = 0;                   // there
-  std::vector<HeadlandRing> rings;  // by round; within a round as GEOS gives them
-  PolygonSet inner;                 // ground left for swaths
-  PolygonSet drivable;             // where the middle of a swath may run: implement and hull inside
-  std::vector<PlannedEdge> edges;  // all, where the request names some
-  // Where edges have different numbers of rounds:
-  PolygonSet inside;  // ground without headland
-  EdgedGround edged;
-  std::vector<NarrowEdge> narrow;  // too narrow for turning
-};
-
-bool differs_by_edge(const Headland& headland);
 
 // The outermost ring: its distance from the boundary and the radius of its corners [m].
 struct FirstRound {
@@ -66,7 +51,7 @@ HeadlandRound round_of_all(const PlanRequest& request, const PolygonSet& field,
 // becomes several rings, where the ground is narrower than two turning radii it vanishes; rounds
 // of boundary and holes that would meet are one round around both. Ground inside the first round
 // that no later round reaches, in pieces of more than a working width squared, is left to the
-// swaths. Edges that the request names have their own number of rounds (headland_by_edge.h), unless
+// swaths. Edges that the request names have their own number of rounds (headland_ground.h), unless
 // that comes to the same number for all. Throws PlanInfeasible when not even one ring fits,
 // InputError for edges that are not there, Cancelled.
 Headland make_headland(const PlanRequest& request, int rounds);

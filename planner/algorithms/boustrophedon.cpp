@@ -94,25 +94,6 @@ void append_round(const PlanRequest& request, const FreeSpace& space, const Poly
   }
 }
 
-// The headland of covered corners, without rings.
-Headland headland_around(const PlanRequest& request, const PolygonSet& field, int rounds) {
-  const double first_m = edge_distance_m(request);
-  const double width_m = request.working_width_m;
-  Headland headland;
-  if (!request.headland_edges.empty()) {
-    const EdgeRounds edges = edge_rounds(request, rounds, first_m);
-    const RoundsOfAll of_all = rounds_of_all(edges, !request.field.obstacles.empty());
-    if (!is_one_number(of_all)) return ground_by_edge(request, field, first_m, edges);
-    rounds = of_all.most;
-    headland.edges = planned_edges(edges, width_m, first_m);
-  }
-  headland.rounds = rounds;
-  headland.width_m = headland_width_m(rounds, first_m, width_m);
-  headland.inner = buffered(field, -headland.width_m, Join::kRound);
-  headland.drivable = buffered(field, -first_m, Join::kRound);
-  return headland;
-}
-
 // Everything that can be reached is worked, corners too.
 Plan plan_whole(const PlanRequest& request, int rounds) {
   const double width_m = request.working_width_m;
@@ -120,7 +101,7 @@ Plan plan_whole(const PlanRequest& request, int rounds) {
   const FreeSpace space = free_space(request.field, hull_of(request));
   WorkedGround ground = ground_to_work(request.field);
   const PolygonSet field = from_field(request.field, kObstacleClearances * request.clearance_m);
-  const Headland headland = headland_around(request, field, rounds);
+  const Headland headland = headland_ground(request, field, rounds, first_m);
   std::vector<EdgePass> edges;
   for (int round = 0; round < headland.rounds; ++round) {
     append_round(request, space, field, first_m + round * width_m, round, headland, ground, edges);

@@ -7,7 +7,6 @@
 
 #include "planner/algorithms/region_exact.h"
 #include "planner/algorithms/region_local_search.h"
-#include "planner/headland_by_edge.h"
 #include "planner/headland_order.h"
 #include "planner/headland_rings.h"
 #include "planner/line_energy.h"

@@ -12,6 +12,7 @@
 #include "planner/edge_zones.h"
 #include "planner/headland_by_edge.h"
 #include "planner/headland_order.h"
+#include "planner/planned_vehicle.h"
 #include "terrains/input_error.h"
 #include "tests/planner/field_shapes.h"
 #include "vehicle_models/vehicle_loader.h"
@@ -53,12 +54,7 @@ std::string refusal_by_edges(const PlanRequest& request) {
 PlanRequest request_by_edges(const Vehicle& vehicle, const Field& field,
                              const std::string& planner) {
   PlanRequest request = tractor_request(field, planner);
-  request.working_width_m = vehicle.implement.working_width_m;
-  request.turning_radius_m = planning_turning_radius_m(vehicle);
-  request.vehicle_width_m = vehicle.body.width_m;
-  request.vehicle_front_m = vehicle.body.length_m - vehicle.body.rear_overhang_m;
-  request.vehicle_rear_m = vehicle.body.rear_overhang_m;
-  request.implement_x_B_m = vehicle.implement.x_B_m;
+  set_vehicle(request, vehicle);
   return request;
 }
 
@@ -254,8 +250,7 @@ TEST(HeadlandByEdge, MoreRoundsThanAnEdgeCanBeGivenAreThoseOfTheOthers) {
   request.vehicle_width_m = 0.8;
   request.headland_edges = {by_number(0, 1, 20)};
   const double first_m = first_round(request).distance_m;
-  const Headland headland = ground_by_edge(request, from_field(request.field), first_m,
-                                           edge_rounds(request, 25, first_m));
+  const Headland headland = headland_ground(request, from_field(request.field), 25, first_m);
   const double width_m = headland_width_m(25, first_m, 1.0);
   EXPECT_DOUBLE_EQ(headland.width_m, width_m);
   EXPECT_NEAR(area_m2(headland.inside),
