@@ -15,36 +15,17 @@
 #include "planner/free_space.h"
 #include "tests/planner/field_shapes.h"
 #include "tests/planner/made_up_vehicle.h"
+#include "tests/planner/up_and_down.h"
 
 namespace headland {
 namespace {
 
-using testing::HasSubstr;
+using test::rectangle;
+using test::up_and_down;
 
 constexpr double kJoint_m = 1e-6;
 constexpr double kJoint_rad = 1e-6;
 constexpr double kRounding = 1e-9;
-
-Field rectangle(double width_m, double height_m) {
-  Field field;
-  field.boundary = {{0.0, 0.0}, {width_m, 0.0}, {width_m, height_m}, {0.0, height_m}};
-  return field;
-}
-
-// Up and down swaths of a rectangle with the same headland on every side.
-Plan up_and_down(double width_m, double height_m, double working_width_m, double headland_m) {
-  Plan plan;
-  bool up = true;
-  for (double x = headland_m + 0.5 * working_width_m;
-       x + 0.5 * working_width_m <= width_m - headland_m + kRounding; x += working_width_m) {
-    const Eigen::Vector2d low(x, headland_m);
-    const Eigen::Vector2d high(x, height_m - headland_m);
-    plan.passes.push_back({PassKind::kSwath, up ? std::vector<Eigen::Vector2d>{low, high}
-                                                : std::vector<Eigen::Vector2d>{high, low}});
-    up = !up;
-  }
-  return plan;
-}
 
 void expect_continuous(const Path& path, const Vehicle& vehicle) {
   const double tightest = 1.0 / planning_turning_radius_m(vehicle) + kRounding;
@@ -134,85 +115,6 @@ TEST(MakePath, ThreePointTurnsWhereOmegasDoNotFit) {
   EXPECT_GT(reversed, 0);
 }
 
-TEST(MakePath, NarrowHeadlandIsRefusedWithAWidthThatWorks) {
-  const Vehicle vehicle = made_up_vehicle(2.6, 2.0);
-  const Field field = rectangle(40.0, 60.0);
-  std::string message;
-  try {
-    make_path(field, vehicle, up_and_down(40.0, 60.0, 2.0, 3.0), {});
-  } catch (const PlanInfeasible& infeasible) {
-    message = infeasible.what();
-  }
-  EXPECT_THAT(message,
-              HasSubstr("no turn from pass 1 (swath) to pass 2 (swath) fits at (4.0, 57.0) m"));
-  EXPECT_THAT(message, HasSubstr("there are 3.0 m"));
-  const std::string before_width = "it needs a headland of ";
-  const std::size_t width_at = message.find(before_width);
-  ASSERT_NE(width_at, std::string::npos);
-  const double would_do_m = std::stod(message.substr(width_at + before_width.size()));
-  const Path path = make_path(field, vehicle, up_and_down(40.0, 60.0, 2.0, would_do_m), {});
-  EXPECT_TRUE(path.violations.empty());
-  expect_inside(path, field, vehicle, PathOptions{}.clearance_m);
-}
-
-TEST(MakePath, OverrunsAreRecordedWhenAllowed) {
-  const Vehicle vehicle = made_up_vehicle(2.6, 2.0);
-  PathOptions options;
-  options.allow_overrun = true;
-  const Path path =
-      make_path(rectangle(40.0, 60.0), vehicle, up_and_down(40.0, 60.0, 2.0, 3.0), options);
-  expect_continuous(path, vehicle);
-  ASSERT_FALSE(path.violations.empty());
-  for (const PathViolation& violation : path.violations) {
-    EXPECT_GT(violation.overrun_m, 0.0);
-    EXPECT_THAT(violation.what, HasSubstr("beyond the boundary"));
-    EXPECT_TRUE(violation.p_W.y() <= kRounding || violation.p_W.y() >= 60.0 - kRounding);
-  }
-}
-
-TEST(MakePath, RefusalNamesThePlaceOnTheMap) {
-  Field field = rectangle(40.0, 60.0);
-  field.frame = {true, 52.0, 10.0};
-  try {
-    make_path(field, made_up_vehicle(2.6, 2.0), up_and_down(40.0, 60.0, 2.0, 3.0), {});
-    FAIL() << "accepted";
-  } catch (const PlanInfeasible& infeasible) {
-    EXPECT_THAT(infeasible.what(), HasSubstr("[lon 10.00005"));
-    EXPECT_THAT(infeasible.what(), HasSubstr(", lat 52.0005"));
-  }
-}
-
-TEST(MakePath, PlanWithoutPassesIsRefused) {
-  EXPECT_THROW(make_path(rectangle(40.0, 60.0), made_up_vehicle(2.6, 2.0), {}, {}), PlanInfeasible);
-}
-
-// A wall with a gap narrower than the hull, and passes on its other side.
-TEST(MakePath, AVehicleThatReachesLittleOfItsPassesIsRefused) {
-  const Vehicle vehicle = made_up_vehicle(2.6, 2.0);
-  Field field = rectangle(80.0, 40.0);
-  field.holes.push_back({{40.0, 1.0}, {40.0, 39.0}, {41.0, 39.0}, {41.0, 1.0}});
-  const auto plan_with = [](int beyond) {
-    Plan plan;
-    plan.passes.push_back({PassKind::kSwath, {{10.0, 10.0}, {30.0, 10.0}}});
-    for (int i = 0; i < beyond; ++i) {
-      const double y = 10.0 + 6.0 * i;
-      plan.passes.push_back({PassKind::kSwath, {{50.0, y}, {70.0, y}}, true});
-    }
-    return plan;
-  };
-  const Path path = make_path(field, vehicle, plan_with(1), {});
-  ASSERT_EQ(path.left_out.size(), 1U);
-  EXPECT_THAT(path.left_out[0].why, HasSubstr("at (60.0, 10.0) m fits, for up to 40.0 m² of work"));
-  try {
-    make_path(field, vehicle, plan_with(2), {});
-    FAIL() << "planned though 40 of 60 m of passes cannot be reached";
-  } catch (const PlanInfeasible& refused) {
-    EXPECT_THAT(refused.what(), HasSubstr("no more than 20 of 60 m of passes"));
-    EXPECT_THAT(refused.what(), HasSubstr("1 others are left out"));
-    EXPECT_THAT(refused.what(), HasSubstr("Take a smaller vehicle"));
-  }
-}
-
 // Out of a lane that is no wider than its hull is long a vehicle only comes in reverse. Where it
 // must it does, for what is optional it does not.
 TEST(MakePath, NoOptionalPassIsWorthBackingFar) {
@@ -298,24 +200,6 @@ TEST(MakePath, HeadlandRingIsDrivenSmoothlyAndClosesOverItsBeginning) {
     total_rad += ring.points[i].curvature_per_m * chord.norm();
   }
   EXPECT_NEAR(total_rad, 2.0 * kPi, 0.05) << "curvature adds up to one turn";
-}
-
-TEST(MakePath, PassTighterThanTheVehicleIsRefusedOrRecorded) {
-  const Vehicle vehicle = made_up_vehicle(4.0, 2.0);
-  Plan plan;
-  plan.passes.push_back({PassKind::kHeadlandPass, ring_m(10.0, 50.0, 2.0)});
-  try {
-    make_path(rectangle(60.0, 60.0), vehicle, plan, {});
-    FAIL() << "accepted";
-  } catch (const PlanInfeasible& infeasible) {
-    EXPECT_THAT(infeasible.what(), HasSubstr("pass 1 (headland pass) bends with a radius of "));
-    EXPECT_THAT(infeasible.what(), HasSubstr("the vehicle's least is 3.48 m"));
-  }
-  PathOptions options;
-  options.allow_overrun = true;
-  const Path path = make_path(rectangle(60.0, 60.0), vehicle, plan, options);
-  ASSERT_EQ(path.violations.size(), 1U);
-  EXPECT_GT(path.violations[0].overrun_m, 1.0);
 }
 
 TEST(MakePath, GoesAroundAHoleBetweenPasses) {
