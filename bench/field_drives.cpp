@@ -123,9 +123,7 @@ void print_drives(const DrivesAsked& asked) {
     return true;
   });
   if (asked.json) {
-    auto json = nlohmann::ordered_json::array();
-    for (const DriveRow& row : rows) json.push_back(drive_json(row));
-    std::puts(json.dump(2).c_str());
+    print_json(rows, drive_json);
     return;
   }
   int finished = 0;

@@ -154,9 +154,7 @@ void print_suite(const SuiteAsked& asked) {
     return true;
   });
   if (asked.json) {
-    auto json = nlohmann::ordered_json::array();
-    for (const SuiteRow& row : rows) json.push_back(row_json(row));
-    std::puts(json.dump(2).c_str());
+    print_json(rows, row_json);
     return;
   }
   for (const std::string& vehicle : asked.vehicles) print_totals(vehicle, rows);

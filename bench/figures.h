@@ -15,6 +15,14 @@
 
 namespace headland::bench {
 
+// Rows for machines.
+template <typename Row>
+void print_json(const std::vector<Row>& rows, nlohmann::ordered_json (*json_of)(const Row&)) {
+  auto json = nlohmann::ordered_json::array();
+  for (const Row& row : rows) json.push_back(json_of(row));
+  std::puts(json.dump(2).c_str());
+}
+
 struct Figure {
   std::string name;
   double value = 0.0;

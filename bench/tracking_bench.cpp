@@ -1,9 +1,13 @@
 // How well every built-in vehicle keeps to the path, what the ledger leaves over and what the step
-// costs, over the physics' rate: the user chooses the step knowing the price.
-// Usage: tracking_bench [VEHICLE..] [--json]
+// costs, over the physics' rate: the user chooses the step knowing the price. With --turns instead
+// turns without jumps of curvature beside plain ones.
+// Usage: tracking_bench [VEHICLE..] [--turns] [--json]
 #include <cstdlib>
 
 #include "bench/figures.h"
+#include "planner/drivable_path.h"
+#include "planner/planned_vehicle.h"
+#include "planner/planners.h"
 #include "tests/sim/test_drives.h"
 
 namespace headland {
@@ -73,6 +77,36 @@ void add_imperfections(const std::string& name, std::vector<bench::Figure>& figu
   add("positions 0.1 s and steering 0.2 s late", late, "<= 3");
 }
 
+// A field with slanted ends on level firm ground, planned and driven with plain turns and with
+// continuous ones.
+void add_turns(const std::string& name, std::vector<bench::Figure>& figures) {
+  const Vehicle vehicle = load_vehicle(name);
+  if (vehicle.steering.kind == SteeringKind::kSkid) return;
+  const PlannerEntry& planner = find_planner("boustrophedon", "bench");
+  PlanRequest request;
+  request.field.boundary = {{0.0, 0.0}, {120.0, 0.0}, {120.0, 80.0}, {0.0, 70.0}};
+  set_vehicle(request, vehicle);
+  request.parameters = resolve_parameters(planner.parameters, {}, "bench", "planner");
+  const Plan plan = planner.plan(request);
+  for (const bool continuous : {false, true}) {
+    PathOptions options;
+    options.continuous_turns = continuous;
+    const Path path = make_path(request.field, vehicle, plan, options);
+    const RunRecord run = test::run(path, vehicle, test::plane(0.0, 0.0),
+                                    test::textbook_soil(0.6, 0.07), {}, request.field);
+    const auto add = [&](const char* what, double value, const char* unit) {
+      figures.push_back(
+          {fmt::format("{}, {} turns: {}", name, continuous ? "continuous" : "plain", what), value,
+           unit, ""});
+    };
+    add("rms", 1000.0 * test::tracking_error(path, run).turns_m, "mm");
+    add("worst", 1000.0 * std::abs(run.peaks.cross_track_turning_m.value), "mm");
+    add("path", length_m(path), "m");
+    add("time", run.duration_s, "s");
+    if (continuous) add("with jumps", path.abrupt_turns, "");
+  }
+}
+
 }  // namespace
 }  // namespace headland
 
@@ -85,8 +119,13 @@ int main(int argc, char** argv) {
                             {"hills on 12 % side slope", test::hillside(0.12, 0.8, 40.0)}};
   std::vector<std::string> vehicles(argv + 1, argv + argc);
   std::erase(vehicles, "--json");
+  const bool turns = std::erase(vehicles, "--turns") > 0;
   if (vehicles.empty()) vehicles = vehicle_names();
   for (const std::string& name : vehicles) {
+    if (turns) {
+      add_turns(name, figures);
+      continue;
+    }
     for (const Ground& ground : grounds) {
       for (const double rate_hz : kRates_hz) add_drive(name, ground, rate_hz, figures);
     }
