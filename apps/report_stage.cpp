@@ -30,8 +30,7 @@ const KnownPicture kRunPictures[] = {
      "machine where the run ended"},
     {kFieldPicture, "The field from above: what was covered how often, planned and driven path",
      "Map of the field: ground worked once, twice, three times or more, and missed; the planned "
-     "and "
-     "the driven path, start and end"},
+     "and the driven path, start and end"},
     {kEnergyPicture, "What every metre of the way cost the battery",
      "Map of the driven path, coloured by battery energy per metre"}};
 

@@ -91,8 +91,7 @@ std::string control_text(const TuningControl& control) {
   if (control.fits == 0) return "";
   return fmt::format(
       "control: of {} fits to shuffled energies {} came to no weights, {} to plans as good as "
-      "those "
-      "of {}, p {:.2g}\n",
+      "those of {}, p {:.2g}\n",
       control.fits, control.without_weights, control.as_good, control.fitted, control.p);
 }
 
