@@ -49,10 +49,11 @@ InputError::InputError(std::string source_in, std::string where_in, std::string 
       allowed(std::move(allowed_in)) {}
 
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates) {
-  const auto nearest = std::min_element(candidates.begin(), candidates.end(),
-                                        [&](const std::string& a, const std::string& b) {
-                                          return edit_distance(word, a) < edit_distance(word, b);
-                                        });
+  // The beginning of a name stands for it, however long the rest.
+  const auto away = [&](const std::string& name) {
+    return std::pair(!name.starts_with(word), edit_distance(word, name));
+  };
+  const auto nearest = std::ranges::min_element(candidates, {}, away);
   return nearest == candidates.end() ? std::string() : *nearest;
 }
 

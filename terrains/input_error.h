@@ -22,7 +22,8 @@ struct InputError : std::runtime_error {
   std::string allowed;
 };
 
-// The candidate nearest to `word` by edit distance; empty when `candidates` is empty.
+// The candidate that begins with `word`, else the nearest by edit distance; empty when `candidates`
+// is empty.
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
 
 // What an InputError says is allowed instead of an unknown name: "unknown view; did you mean 'map'?

@@ -23,6 +23,7 @@ TEST(InputError, AVeryLongValueIsCutInTheLine) {
 
 TEST(NearestName, IsTheOneWithFewestEdits) {
   EXPECT_EQ(nearest_name("rollin", {"flat", "rolling", "bowl"}), "rolling");
+  EXPECT_EQ(nearest_name("persp", {"map", "chase", "perspective"}), "perspective");
   EXPECT_EQ(nearest_name("anything", {}), "");
 }
 
