@@ -10,12 +10,16 @@
 #include "planner/free_space.h"
 #include "tests/planner/field_shapes.h"
 #include "tests/planner/made_up_vehicle.h"
-#include "tests/planner/up_and_down.h"
+#include "tests/planner/path_fixture.h"
 
 namespace headland {
 namespace {
 
+using test::expect_continuous;
+using test::expect_inside;
+using test::kRounding;
 using test::rectangle;
+using test::ring_m;
 using test::up_and_down;
 using testing::HasSubstr;
 

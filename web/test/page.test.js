@@ -33,6 +33,19 @@ after(async () => {
 // Starting a browser takes longer than most tests.
 const inBrowser = (use) => use(shared.browser);
 
+// The 3D picture once it has stood still for three looks, which takes as long as frames under way
+// do; undefined when it does not.
+async function settled(page) {
+  const looks = [];
+  for (let look = 0; look < 15; look += 1) {
+    looks.push(await page.evaluate(pixelsOf, 'canvas.world'));
+    if (new Set(looks.slice(-3).map(({ print }) => print)).size === 1 && look > 1)
+      return looks.at(-1);
+    await page.waitForTimeout(400);
+  }
+  return undefined;
+}
+
 // No complaint in the console, and nothing asked for but the page itself (and what it holds).
 function assertQuiet({ complaints, requests }) {
   assert.deepEqual(complaints, []);
@@ -179,21 +192,14 @@ describe('a run', () => {
       assert.notEqual(later.print, begin.print, 'playing changes the picture');
 
       await page.click('button.play');
-      await page.waitForTimeout(400);
-      const paused = await page.evaluate(pixelsOf, 'canvas.world');
-      await page.waitForTimeout(400);
-      assert.equal(
-        (await page.evaluate(pixelsOf, 'canvas.world')).print,
-        paused.print,
-        'pausing holds it',
-      );
+      const paused = await settled(page);
+      assert.ok(paused, 'pausing holds it');
 
       await page.focus('.replay-controls input');
       await page.keyboard.press('End');
-      await page.waitForTimeout(600);
-      assert.notEqual((await page.evaluate(pixelsOf, 'canvas.world')).print, paused.print);
+      const atEnd = await settled(page);
+      assert.notEqual(atEnd.print, paused.print);
       await (await page.$('#replay')).screenshot({ path: join(shots, 'run_3d_field.png') });
-      const atEnd = await page.evaluate(pixelsOf, 'canvas.world');
       const box = await (await page.$('canvas.world')).boundingBox();
       await page.mouse.move(box.x + 300, box.y + 200);
       await page.mouse.down();
