@@ -5,6 +5,7 @@
 
 #include "apps/commands.h"
 #include "apps/interrupt.h"
+#include "apps/left_out.h"
 #include "apps/plan_summary.h"
 #include "apps/report_stage.h"
 #include "apps/summary.h"
@@ -20,8 +21,9 @@ namespace {
 std::string prepare(const Job& job) {
   if (job.scenario.path_file.empty()) {
     const PlanResult result = plan_stage(job);
-    return predicted_row(result) + path_notes(result.path) + grid_notes(result) +
-           notes_text(result.notes);
+    warn_of_left_out(job, result);
+    return predicted_row(result) + left_out_rows(result.path, field_area_m2(job.stage.field)) +
+           path_notes(result.path) + grid_notes(result) + notes_text(result.notes);
   }
   const std::optional<TrackReport> track = given_path_stage(job);
   return track ? track_summary(*track) : "";

@@ -7,6 +7,7 @@
 
 #include "apps/commands.h"
 #include "apps/interrupt.h"
+#include "apps/left_out.h"
 #include "apps/plan_summary.h"
 #include "apps/summary.h"
 #include "apps/terminal_text.h"
@@ -46,6 +47,18 @@ nlohmann::ordered_json report_json(const JobPlan& plan, const Audit& audit,
                    {"covered_ratio", coverage.covered_m2 / coverage.workable_m2},
                    {"overlap_ratio", coverage.overlap_m2 / coverage.workable_m2}};
   return json;
+}
+
+double fields_m2(const JobPlan& plan) {
+  double sum_m2 = 0.0;
+  for (const JobPart& part : plan.parts) sum_m2 += part.area_m2;
+  return sum_m2;
+}
+
+void warn_of_left_out(const JobPlan& plan, const JobSpec& spec) {
+  std::vector<PlannerChoice> planners;
+  for (const JobField& field : spec.fields) planners.push_back(field.planner);
+  print_warning(left_out_warning(plan.path, fields_m2(plan), planners, spec.common.path));
 }
 
 std::string part_row(const JobPart& part, const JobPartRun* run) {
@@ -92,7 +105,7 @@ std::string summary_of(const JobPlan& plan, const Audit& audit,
                         violation.p_W.y(), violation.what);
   }
   for (const std::string& note : plan.stage.notes) text += "note: " + terminal_text(note) + "\n";
-  return text + path_notes(plan.path);
+  return text + left_out_rows(plan.path, fields_m2(plan)) + path_notes(plan.path);
 }
 
 JobSpec spec_of(const CommonOptions& options) {
@@ -110,10 +123,12 @@ int run_job(const JobOptions& options) {
   std::optional<Audit> audit;
   {
     const InterruptAtOnce at_once;
-    plan = plan_job(spec_of(common));
+    const JobSpec spec = spec_of(common);
+    plan = plan_job(spec);
     check_coverage_size(plan.stage.field, plan.scenario.working_width_m,
                         plan.scenario.coverage_cell_m, common.scenario);
     audit = audit_of(plan);
+    warn_of_left_out(plan, spec);
   }
   plan.scenario.path_file = folder / kPathFile;
   const GeoFrame& frame = plan.stage.field.frame;

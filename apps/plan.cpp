@@ -5,6 +5,7 @@
 
 #include "apps/commands.h"
 #include "apps/interrupt.h"
+#include "apps/left_out.h"
 #include "apps/plan_summary.h"
 #include "apps/terminal_text.h"
 #include "evaluate/results.h"
@@ -27,6 +28,7 @@ int plan(const CommonOptions& options) {
     fmt::print(stderr, "headland: removed what an earlier drive had left in {}\n",
                terminal_text(job.folder.string()));
   }
+  warn_of_left_out(job, result);
   if (options.json) {
     fmt::print("{}\n", json_text(plan_summary_json(job, result), 2));
   } else if (!options.quiet) {

@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "apps/left_out.h"
 #include "apps/summary_rows.h"
 #include "apps/terminal_text.h"
+#include "evaluate/planned_coverage.h"
 #include "evaluate/results.h"
 #include "planner/free_space.h"
 #include "planner/headland_edges.h"
@@ -21,7 +23,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kCellsTold = 8;
-constexpr std::size_t kLeftOutTold = 8;  // passes
 
 int manoeuvres_of(const Path& path, PathKind kind) {
   std::vector<int> seen;
@@ -75,6 +76,21 @@ std::string headland_rows(const Plan& plan) {
   return text;
 }
 
+CoverageFigures coverage_of(const Job& job, const PlanResult& result) {
+  return planned_coverage(job.stage.field, job.stage.vehicle, result.path,
+                          job.scenario.coverage_cell_m);
+}
+
+// What the plan works comes first, and then what it leaves out.
+std::string work_rows(const Job& job, const PlanResult& result) {
+  const CoverageFigures coverage = coverage_of(job, result);
+  return summary_row("works",
+                     fmt::format("{:.2f} %", 100.0 * coverage.covered_m2 / coverage.workable_m2),
+                     fmt::format("of {}; {:.0f} m² stay unworked", hectares(coverage.workable_m2),
+                                 coverage.missed_m2)) +
+         left_out_rows(result.path, field_area_m2(job.stage.field));
+}
+
 std::string over_worked_row(const Job& job, const PlanResult& result) {
   const DrivenOverWorked over = driven_over_worked(job.stage.field, job.stage.vehicle, result.path);
   if (over.stretches == 0) return "";
@@ -101,13 +117,6 @@ std::string path_notes(const Path& path) {
     text += fmt::format("  {} ends of passes cut back by up to {:.1f} m to make room for turns\n",
                         path.cut_back_m.size(),
                         *std::max_element(path.cut_back_m.begin(), path.cut_back_m.end()));
-  }
-  for (std::size_t i = 0; i < path.left_out.size(); ++i) {
-    if (i == kLeftOutTold) {
-      text += fmt::format("  and {} more passes left out\n", path.left_out.size() - i);
-      break;
-    }
-    text += fmt::format("  pass left out: {}\n", path.left_out[i].why);
   }
   if (path.abrupt_turns > 0) {
     text += fmt::format("  turns whose curvature jumps, as no continuous one fits: {}\n",
@@ -146,7 +155,8 @@ std::string grid_notes(const PlanResult& result) {
 
 std::string plan_summary(const Job& job, const PlanResult& result) {
   std::string text =
-      headline(job) + "\n" + summary_row("planner", result.plan.planner) + grid_rows(result) +
+      headline(job) + "\n" + work_rows(job, result) + summary_row("planner", result.plan.planner) +
+      grid_rows(result) +
       summary_row("swath direction",
                   fmt::format("{:.1f} deg", degrees(result.plan.swath_direction_rad)),
                   "counter-clockwise from east") +
@@ -175,6 +185,13 @@ Json plan_summary_json(const Job& job, const PlanResult& result) {
   json["scenario"] = {{"name", job.scenario.name},
                       {"field_area_m2", field_area_m2(job.stage.field)},
                       {"seed", job.scenario.seed}};
+  const CoverageFigures coverage = coverage_of(job, result);
+  json["coverage"] = {{"workable_m2", coverage.workable_m2},
+                      {"worked_m2", coverage.covered_m2},
+                      {"unworked_m2", coverage.missed_m2},
+                      {"worked_ratio", coverage.covered_m2 / coverage.workable_m2}};
+  json["left_out_m2"] = left_out_m2(result.path);
+  json["left_out_ratio"] = left_out_m2(result.path) / field_area_m2(job.stage.field);
   json["planner"] = result.plan.planner;
   json["swath_direction_rad"] = result.plan.swath_direction_rad;
   json["headland_width_m"] = result.plan.headland_width_m;
@@ -223,8 +240,11 @@ Json plan_summary_json(const Job& job, const PlanResult& result) {
   json["cut_back_m"] = result.path.cut_back_m;
   json["left_out"] = Json::array();
   for (const LeftOutPass& pass : result.path.left_out) {
-    json["left_out"].push_back(
-        {{"pass", pass.pass}, {"x_m", pass.p_W.x()}, {"y_m", pass.p_W.y()}, {"why", pass.why}});
+    json["left_out"].push_back({{"pass", pass.pass},
+                                {"x_m", pass.p_W.x()},
+                                {"y_m", pass.p_W.y()},
+                                {"area_m2", pass.area_m2},
+                                {"why", pass.why}});
   }
   const TightestPlace& tightest = result.path.tightest;
   if (std::isfinite(tightest.clearance_m)) {

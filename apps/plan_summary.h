@@ -14,8 +14,9 @@ nlohmann::ordered_json plan_summary_json(const Job& job, const PlanResult& resul
 // The energy that measured costs predict for the plan; empty where there are none.
 std::string predicted_row(const PlanResult& result);
 
-// Lines on swaths cut back for their turns, on passes left out and why, and on the place where a
-// pass keeps less than the clearance asked for; empty where there is nothing to say.
+// Lines on swaths cut back for their turns, on turns that are not continuous though asked for, and
+// on the place where a pass keeps less than the clearance asked for; empty where there is nothing
+// to say.
 std::string path_notes(const Path& path);
 
 // Lines on the cells of a grid plan that cannot be worked; empty for other plans.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -158,6 +159,7 @@ void append(const Path& more, JobPart part, std::size_t first_pass, JobPlan& mad
     left_out.why = part.name + ": " + left_out.why;
     made.path.left_out.push_back(std::move(left_out));
   }
+  std::ranges::stable_sort(made.path.left_out, std::greater{}, &LeftOutPass::area_m2);
   if (more.tightest.clearance_m < made.path.tightest.clearance_m) {
     made.path.tightest = more.tightest;
   }

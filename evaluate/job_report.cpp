@@ -70,6 +70,7 @@ Json job_json(const JobPlan& job, const std::vector<JobPartRun>& runs, const std
     if (!runs.empty()) sum["driven"] = run_json(driven[kind]);
     json["totals"][kind == 0 ? "fields" : "transits"] = std::move(sum);
   }
+  json["left_out_m2"] = left_out_m2(job.path);
   json["violations"] = job.path.violations.size();
   json["notes"] = job.stage.notes;
   return json;

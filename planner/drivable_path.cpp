@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "planner/continuous_turns.h"
@@ -51,25 +52,39 @@ std::vector<double> with_room(const Plan& plan, const Field& outline, FreeSpace 
 // A plan of which less than this can be driven, by length, is none.
 constexpr double kLeastDriven = 0.5;
 
-// Tells how much ground passes that are left out would work. A vehicle that gets nowhere is
-// refused, however well it would work the little that it reaches.
-void weigh_left_out(const std::vector<Pass>& passes, double width_m, bool refuse, Path& path) {
+// Measures the ground that passes left out would work and the path does not.
+void measure_left_out(const Field& outline, const Vehicle& vehicle, const std::vector<Pass>& passes,
+                      Path& path) {
+  if (path.left_out.empty()) return;
+  const double width_m = vehicle.implement.working_width_m;
+  WorkedGround ground = ground_to_work(outline);
+  for (const PathSegment& segment : path.segments) {
+    if (!segment.implement_down) continue;
+    work_driven(ground, segment.points, vehicle.implement.x_B_m, width_m);
+  }
+  for (LeftOutPass& left_out : path.left_out) {
+    left_out.area_m2 = work_along(ground, passes[left_out.pass].points_W, width_m);
+  }
+  std::ranges::stable_sort(path.left_out, std::greater{}, &LeftOutPass::area_m2);
+}
+
+// A vehicle that gets nowhere is refused, however well it would work the little that it reaches.
+void refuse_if_most_left_out(const std::vector<Pass>& passes, const Path& path) {
   if (path.left_out.empty()) return;
   double all_m = 0.0;
   for (const Pass& pass : passes) all_m += length_m(pass.points_W);
   double left_out_m = 0.0;
-  for (LeftOutPass& left_out : path.left_out) {
-    const double pass_m = length_m(passes[left_out.pass].points_W);
-    left_out_m += pass_m;
-    left_out.why += fmt::format(", for up to {:.1f} m² of work", pass_m * width_m);
+  for (const LeftOutPass& left_out : path.left_out) {
+    left_out_m += length_m(passes[left_out.pass].points_W);
   }
-  if (!refuse || left_out_m <= (1.0 - kLeastDriven) * all_m) return;
+  if (left_out_m <= (1.0 - kLeastDriven) * all_m) return;
+  const std::size_t others = path.left_out.size() - 1;
   throw PlanInfeasible(fmt::format(
-      "turns lead to no more than {:.0f} of {:.0f} m of passes: {}; {} others are left out "
-      "likewise. "
-      "Take a smaller vehicle or one that turns tighter, remove what is in the way or allow "
-      "overruns (--allow-overrun)",
-      all_m - left_out_m, all_m, path.left_out.front().why, path.left_out.size() - 1));
+      "turns lead to no more than {:.0f} of {:.0f} m of passes: {}; {} {} left out likewise. Take "
+      "a smaller vehicle or one that turns tighter, remove what is in the way, or take the passes "
+      "that turns lead to for a plan (--allow-overrun)",
+      all_m - left_out_m, all_m, path.left_out.front().why, others,
+      others == 1 ? "other is" : "others are"));
 }
 
 }  // namespace
@@ -104,7 +119,8 @@ Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
   if (options.continuous_turns) connection.sharpness_per_m2 = turning_sharpness_per_m2(vehicle);
   std::vector<double> cuts = with_room(plan, outline, space, connection, vehicle, options, lines);
   Path path = join_lines(field, vehicle, space, lines, options, cancelled);
-  weigh_left_out(plan.passes, vehicle.implement.working_width_m, !options.allow_overrun, path);
+  measure_left_out(outline, vehicle, plan.passes, path);
+  if (!options.allow_overrun) refuse_if_most_left_out(plan.passes, path);
   path.cut_back_m = std::move(cuts);
   return path;
 }

@@ -16,6 +16,12 @@ double length_m(const Path& path) {
   return sum_m;
 }
 
+double left_out_m2(const Path& path) {
+  double sum_m2 = 0.0;
+  for (const LeftOutPass& pass : path.left_out) sum_m2 += pass.area_m2;
+  return sum_m2;
+}
+
 std::string_view path_kind_name(PathKind kind) {
   switch (kind) {
     case PathKind::kSwath:

@@ -57,6 +57,7 @@ struct LeftOutPass {
   std::size_t pass = 0;                           // index into Plan::passes
   Eigen::Vector2d p_W = Eigen::Vector2d::Zero();  // its middle
   std::string why;
+  double area_m2 = 0.0;  // that it would work and the path does not; of several passes one's
 };
 
 struct Path {
@@ -64,7 +65,8 @@ struct Path {
   std::vector<PathViolation> violations;  // empty unless overruns were allowed
   std::vector<double> cut_back_m;         // of ends of passes shortened for their turn's room
   // In summaries of who made the path, not in path files:
-  std::vector<LeftOutPass> left_out;  // optional passes that no turn leads to or away from
+  // Optional passes that no turn leads to or away from, those with the largest area first.
+  std::vector<LeftOutPass> left_out;
   TightestPlace tightest;
   // Turns whose curvature jumps though continuous ones were asked for: none of those fits.
   int abrupt_turns = 0;
@@ -72,6 +74,7 @@ struct Path {
 
 double length_m(const PathSegment& segment);
 double length_m(const Path& path);
+double left_out_m2(const Path& path);  // ground that its left-out passes would work
 
 std::string_view path_kind_name(PathKind kind);
 std::string_view gear_name(Gear gear);

@@ -15,6 +15,7 @@ namespace headland {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::UnorderedElementsAre;
 
 class StagesTest : public CommandTest {};
@@ -39,7 +40,9 @@ TEST_F(StagesTest, EvaluateFillsTheFolderAndTellsInBothForms) {
 TEST_F(StagesTest, SameSeedSameBytesAndStagesGiveTheBytesOfTheWhole) {
   ASSERT_LE(headland(kEvaluateTiny + "A -q").exit_code, 1);
   ASSERT_LE(headland(kEvaluateTiny + "B -q").exit_code, 1);
-  ASSERT_EQ(headland("plan tiny.yaml -o C -q").exit_code, 0);
+  const CommandResult plan = headland("plan tiny.yaml -o C -q");
+  ASSERT_EQ(plan.exit_code, 0);
+  EXPECT_EQ(plan.err, "");
   ASSERT_LE(headland("drive C -q").exit_code, 1);
   ASSERT_EQ(headland("render C --size 640x400 -q").exit_code, 0);
   ASSERT_EQ(headland("report C -q").exit_code, 0);
@@ -59,18 +62,37 @@ TEST_F(StagesTest, PlanTellsWhichPassesAreLeftOut) {
         "vehicle: transplanter\nplanner: {headland_corners: covered}\n");
   const CommandResult told = headland("plan pocket.yaml -o DIR");
   ASSERT_EQ(told.exit_code, 0) << told.err;
-  const CommandResult result = headland("plan pocket.yaml -o DIR --json");
-  const auto left_out = nlohmann::json::parse(result.out)["left_out"];
+  const CommandResult result = headland("plan pocket.yaml -o DIR --json -q");
+  const auto json = nlohmann::json::parse(result.out);
+  const auto left_out = json["left_out"];
   bool in_pocket = false;
+  double before_m2 = 1e9;
+  double sum_m2 = 0.0;
   for (const auto& pass : left_out) {
+    const double area_m2 = pass["area_m2"].get<double>();
+    EXPECT_LE(area_m2, before_m2) << "the largest comes first";
+    before_m2 = area_m2;
+    sum_m2 += area_m2;
     const auto index = pass["pass"].get<int>();
     const auto why = pass["why"].get<std::string>();
     EXPECT_THAT(why, HasSubstr(fmt::format("pass {} ", index + 1)));
-    EXPECT_THAT(told.out, HasSubstr("pass left out: " + why));
+    EXPECT_THAT(told.out, HasSubstr(fmt::format("{:.1f} m²: {}", area_m2, why)));
     const double y_m = pass["y_m"].get<double>();
     in_pocket = in_pocket || (pass["x_m"].get<double>() > 14.5 && y_m > 6.5 && y_m < 10.5);
   }
   EXPECT_TRUE(in_pocket);
+  EXPECT_NEAR(json["left_out_m2"].get<double>(), sum_m2, 1e-9);
+  EXPECT_GT(json["left_out_ratio"].get<double>(), 0.01) << "nothing to warn of";
+  EXPECT_GE(json["coverage"]["unworked_m2"].get<double>(), sum_m2);
+  EXPECT_THAT(told.out, HasSubstr(fmt::format(
+                            "{:.2f} %", 100.0 * json["coverage"]["worked_ratio"].get<double>())));
+  for (const std::string& err : {told.err, result.err}) {  // neither --json nor -q hides it
+    EXPECT_THAT(err, HasSubstr(fmt::format("headland: warning: the plan leaves out {} passes",
+                                           left_out.size())));
+    EXPECT_THAT(err, HasSubstr("planner.headland_corners: rounded"));
+    EXPECT_THAT(err, Not(HasSubstr("headland_edges"))) << "there are none to widen";
+    EXPECT_THAT(err, Not(HasSubstr("keep_off_worked"))) << "it is not set";
+  }
 }
 
 TEST_F(StagesTest, AFailingVerdictExitsWith1) {

@@ -91,13 +91,16 @@ TEST(MakePath, AVehicleThatReachesLittleOfItsPassesIsRefused) {
   };
   const Path path = make_path(field, vehicle, plan_with(1), {});
   ASSERT_EQ(path.left_out.size(), 1U);
-  EXPECT_THAT(path.left_out[0].why, HasSubstr("at (60.0, 10.0) m fits, for up to 40.0 m² of work"));
+  EXPECT_THAT(path.left_out[0].why, HasSubstr("at (60.0, 10.0) m fits"));
+  // 20 m at a width of 2 m, in cells of 0.1 m.
+  EXPECT_NEAR(path.left_out[0].area_m2, 40.0, 0.5);
+  EXPECT_EQ(left_out_m2(path), path.left_out[0].area_m2);
   try {
     make_path(field, vehicle, plan_with(2), {});
     FAIL() << "planned though 40 of 60 m of passes cannot be reached";
   } catch (const PlanInfeasible& refused) {
     EXPECT_THAT(refused.what(), HasSubstr("no more than 20 of 60 m of passes"));
-    EXPECT_THAT(refused.what(), HasSubstr("1 others are left out"));
+    EXPECT_THAT(refused.what(), HasSubstr("1 other is left out"));
     EXPECT_THAT(refused.what(), HasSubstr("Take a smaller vehicle"));
   }
 }
