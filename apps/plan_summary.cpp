@@ -122,6 +122,10 @@ std::string path_notes(const Path& path) {
     text += fmt::format("  turns whose curvature jumps, as no continuous one fits: {}\n",
                         path.abrupt_turns);
   }
+  if (path.abrupt_joints > 0) {
+    text += fmt::format("  ends of continuous turns where curvature jumps to a bent pass's: {}\n",
+                        path.abrupt_joints);
+  }
   const TightestPlace& tightest = path.tightest;
   if (std::isfinite(tightest.clearance_m) && path.violations.empty()) {
     const double kept_m = std::max(0.0, tightest.clearance_m);
@@ -237,6 +241,7 @@ Json plan_summary_json(const Job& job, const PlanResult& result) {
   const DrivenOverWorked over = driven_over_worked(job.stage.field, job.stage.vehicle, result.path);
   json["over_worked_rows_m"] = over.length_m;
   json["abrupt_turns"] = result.path.abrupt_turns;
+  json["abrupt_joints"] = result.path.abrupt_joints;
   json["cut_back_m"] = result.path.cut_back_m;
   json["left_out"] = Json::array();
   for (const LeftOutPass& pass : result.path.left_out) {

@@ -154,6 +154,8 @@ void append(const Path& more, JobPart part, std::size_t first_pass, JobPlan& mad
   }
   made.path.cut_back_m.insert(made.path.cut_back_m.end(), more.cut_back_m.begin(),
                               more.cut_back_m.end());
+  made.path.abrupt_turns += more.abrupt_turns;
+  made.path.abrupt_joints += more.abrupt_joints;
   for (LeftOutPass left_out : more.left_out) {
     left_out.pass += first_pass;
     left_out.why = part.name + ": " + left_out.why;

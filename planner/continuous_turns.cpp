@@ -153,4 +153,15 @@ bool is_continuous(const std::vector<Arc>& arcs) {
   return gear == Gear::kReverse || std::abs(curvature_per_m) <= kNoJump_per_m;
 }
 
+int abrupt_joints(const std::vector<Arc>& arcs, double before_per_m, double after_per_m) {
+  if (arcs.empty()) return 0;
+  const auto jumps = [](const Arc& arc, double arc_per_m, double pass_per_m) {
+    return arc.gear == Gear::kForward && std::abs(arc_per_m - pass_per_m) > kJointJump_per_m;
+  };
+  const Arc& first = arcs.front();
+  const Arc& last = arcs.back();
+  return (jumps(first, first.curvature_per_m, before_per_m) ? 1 : 0) +
+         (jumps(last, end_curvature_per_m(last), after_per_m) ? 1 : 0);
+}
+
 }  // namespace headland

@@ -32,4 +32,11 @@ double ramped_radius_m(double radius_m, double sharpness_per_m2);
 // but where the vehicle stops.
 bool is_continuous(const std::vector<Arc>& arcs);
 
+// Ends of arcs that begin or end on passes with these curvatures, driven forward, at which the
+// curvature jumps by more than kJointJump_per_m and the vehicle does not stop.
+int abrupt_joints(const std::vector<Arc>& arcs, double before_per_m, double after_per_m);
+// As from a line to a circle of 100 m: what passes' curvature, a difference quotient, is uncertain
+// by is less.
+inline constexpr double kJointJump_per_m = 0.01;
+
 }  // namespace headland

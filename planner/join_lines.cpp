@@ -50,12 +50,24 @@ PathKind connection_kind(const LineJoining& joining, const Pose& from, const Pos
   return turned_rad >= kUTurnAngle_rad ? PathKind::kUTurn : PathKind::kTurn;
 }
 
+// A path that begins with the arcs begins at rest.
+void count_jumps(const std::vector<Arc>& arcs, const PathPoint& to, Path& path) {
+  if (!is_continuous(arcs)) {
+    ++path.abrupt_turns;
+    return;
+  }
+  const double before_per_m = path.segments.empty()
+                                  ? arcs.front().curvature_per_m
+                                  : path.segments.back().points.back().curvature_per_m;
+  path.abrupt_joints += abrupt_joints(arcs, before_per_m, to.curvature_per_m);
+}
+
 // The sampled end is replaced by the pose meant, which it meets to within rounding.
 void append_arcs(LineJoining& joining, const Pose& from, const std::vector<Arc>& arcs,
                  const PathPoint& to, PathKind kind) {
   auto segments = sample(from, arcs, kPathSpacing_m);
   if (segments.empty()) return;
-  if (joining.options.continuous_turns && !is_continuous(arcs)) ++joining.path.abrupt_turns;
+  if (joining.options.continuous_turns) count_jumps(arcs, to, joining.path);
   PathPoint& end = segments.back().points.back();
   end.p_W = to.p_W;
   end.heading_rad = to.heading_rad;

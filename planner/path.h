@@ -68,8 +68,10 @@ struct Path {
   // Optional passes that no turn leads to or away from, those with the largest area first.
   std::vector<LeftOutPass> left_out;
   TightestPlace tightest;
-  // Turns whose curvature jumps though continuous ones were asked for: none of those fits.
+  // Where continuous turns were asked for: turns whose curvature jumps, as no other ones fit, and
+  // ends of all others where it jumps to or from that of a bent pass (kJointJump_per_m).
   int abrupt_turns = 0;
+  int abrupt_joints = 0;
 };
 
 double length_m(const PathSegment& segment);

@@ -189,11 +189,50 @@ TEST(ContinuousTurns, PathsHaveThemWhereAsked) {
   options.continuous_turns = true;
   const Path smooth = make_path(field, vehicle, four_rows(), options);
   EXPECT_EQ(smooth.abrupt_turns, 0);
+  EXPECT_EQ(smooth.abrupt_joints, 0) << "all passes are straight";
   const double limit = turning_sharpness_per_m2(vehicle);
   EXPECT_GT(sharpest_per_m2(plain), 2.0 * limit);
   // Chords are shorter than what they stand for by less than 1 %.
   EXPECT_LT(sharpest_per_m2(smooth), 1.01 * limit);
   EXPECT_GT(length_m(smooth), length_m(plain));
+}
+
+TEST(ContinuousTurns, JumpToBentPassesAtTheirEnds) {
+  constexpr double kPass_per_m = 0.1;
+  const std::vector<Arc> turn{{2.0, 0.0, Gear::kForward, 0.15}, {2.0, 0.3, Gear::kForward, -0.15}};
+  EXPECT_EQ(abrupt_joints(turn, 0.0, 0.0), 0);
+  EXPECT_EQ(abrupt_joints(turn, kPass_per_m, 0.0), 1);
+  EXPECT_EQ(abrupt_joints(turn, kPass_per_m, -kPass_per_m), 2);
+  EXPECT_EQ(abrupt_joints(turn, 0.5 * kJointJump_per_m, 0.0), 0) << "within what is not known";
+  // The vehicle stops where it goes into reverse.
+  const std::vector<Arc> backed{{2.0, 0.0, Gear::kReverse}, {2.0, 0.0, Gear::kForward}};
+  EXPECT_EQ(abrupt_joints(backed, kPass_per_m, kPass_per_m), 1);
+}
+
+TEST(ContinuousTurns, EndsAtBentPassesAreCounted) {
+  Vehicle vehicle = made_up_vehicle(2.6, 3.0);
+  vehicle.steering.max_rate_rad_per_s = 0.5;
+  vehicle.driver.turn_speed_mps = 1.0;
+  const auto row = [](double y) { return Pass{PassKind::kSwath, {{35.0, y}, {65.0, y}}}; };
+  Plan plan;
+  plan.passes.push_back(row(30.0));
+  // A round on a circle of 15 m, with a turn before it and one after it.
+  Pass round{PassKind::kHeadlandPass, {}};
+  constexpr int kChords = 120;
+  for (int i = 0; i <= kChords; ++i) {
+    round.points_W.emplace_back(Eigen::Vector2d(50.0, 50.0) +
+                                15.0 * direction_of(2.0 * kPi * (i % kChords) / kChords));
+  }
+  plan.passes.push_back(round);
+  plan.passes.push_back(row(70.0));
+  PathOptions options;
+  options.continuous_turns = true;
+  const Field field = field_of("f", rectangle_ring(0, 0, 100, 100));
+  const Path path = make_path(field, vehicle, plan, options);
+  EXPECT_EQ(path.abrupt_turns, 0);
+  EXPECT_EQ(path.abrupt_joints, 2);
+  options.continuous_turns = false;
+  EXPECT_EQ(make_path(field, vehicle, plan, options).abrupt_joints, 0) << "nobody asked";
 }
 
 TEST(ContinuousTurns, LeadFromTheEntryToo) {
