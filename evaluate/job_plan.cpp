@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "evaluate/job_ground.h"
+#include "evaluate/plan_scenario.h"
 #include "planner/drivable_path.h"
 #include "planner/hull.h"
 #include "planner/planners.h"
@@ -37,7 +38,9 @@ Plan planned_from(const JobSpec& job, const JobGround& ground, const Stage& stag
   try {
     return find_planner(given.planner.name, source).plan(request);
   } catch (const InputError& refused) {
-    throw InputError(source, given.place, given.name, refused.what());
+    const InputError in_job = as_in_scenario(refused, source, given.planner);
+    throw InputError(source, in_job.where, in_job.value,
+                     fmt::format("{} (field '{}')", in_job.allowed, given.name));
   } catch (const PlanInfeasible& refused) {
     throw PlanInfeasible(fmt::format("{}: field '{}': {}", source, given.name, refused.what()));
   }

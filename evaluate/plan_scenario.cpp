@@ -26,16 +26,10 @@ PlannedPath planned(const Scenario& scenario, const Stage& stage,
     made.path = make_path(stage.field, stage.vehicle, made.plan, scenario.path, cancelled);
     return made;
   } catch (const InputError& refused) {
-    if (refused.where == "working_width_m") {
-      throw InputError(source, "implement.working_width_m", refused.value, refused.allowed);
+    if (refused.where == "continuous_turns" && !scenario.continuous_turns_place.empty()) {
+      throw InputError(source, scenario.continuous_turns_place, refused.value, refused.allowed);
     }
-    if (refused.where == "continuous_turns") {
-      throw InputError(source, "path.continuous_turns", refused.value, refused.allowed);
-    }
-    const bool of_scenario = refused.where == "ab_line" || refused.where == "swath_objective" ||
-                             refused.where.starts_with("headland_edges");
-    if (!of_scenario) throw;
-    throw InputError(source, "planner." + refused.where, refused.value, refused.allowed);
+    throw as_in_scenario(refused, source, scenario.planner);
   }
 }
 
@@ -75,6 +69,18 @@ void predict_by(const Scenario& scenario, std::optional<DriveCost> cost, const S
 }
 
 }  // namespace
+
+InputError as_in_scenario(const InputError& refused, const std::string& source,
+                          const PlannerChoice& planner) {
+  if (refused.where == "working_width_m") {
+    return {source, "implement.working_width_m", refused.value, refused.allowed};
+  }
+  if (refused.source != "plan") return refused;
+  if (refused.where.starts_with("vehicle_")) {
+    return {source, "vehicle", refused.where + " " + refused.value, refused.allowed};
+  }
+  return {source, place_of(planner, refused.where), refused.value, refused.allowed};
+}
 
 GridPlan plan_on_grid(const Scenario& scenario, const Stage& stage, const CancelAsked& cancelled) {
   std::vector<std::string> notes;

@@ -10,6 +10,7 @@
 #include "planner/drivable_path.h"
 #include "planner/grid_drivable.h"
 #include "planner/path_energy.h"
+#include "terrains/input_error.h"
 
 namespace headland {
 
@@ -26,6 +27,10 @@ struct PlanResult {
 // request and as read_drive_cost, and Cancelled.
 PlanResult plan_scenario(const Scenario& scenario, const Stage& stage,
                          const CancelAsked& cancelled = {});
+
+// What a planner refuses of its request, with where that stands in the file `source`.
+InputError as_in_scenario(const InputError& refused, const std::string& source,
+                          const PlannerChoice& planner);
 
 // Of a scenario with a planner on grid maps the plan alone, without its path. Throws likewise.
 GridPlan plan_on_grid(const Scenario& scenario, const Stage& stage,

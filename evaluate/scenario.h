@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,7 +33,12 @@ struct PlannerChoice {
   std::filesystem::path predict_file;
   std::string cost_place;  // lines and keys of these, for messages; empty: given otherwise
   std::string predict_place;
+  // Likewise of what planners may refuse, by key: parameters, ab_line, headland_edges[i].
+  std::map<std::string, std::string> places;
 };
+
+// Where it stands in the file, or "planner.key" where that says nothing of it.
+std::string place_of(const PlannerChoice& planner, const std::string& key);
 
 struct Scenario {
   std::filesystem::path file;  // it was read from; relative paths in it start at its folder
@@ -44,8 +50,9 @@ struct Scenario {
   double working_width_m = 0.0;  // default: of the vehicle's implement
   PlannerChoice planner;
   PathOptions path;
-  std::filesystem::path path_file;  // driven instead of a plan; empty: the field is planned
-  double path_tolerance_m = 0.3;    // within which a track is smoothed, see make_drivable
+  std::string continuous_turns_place;  // line and key, for messages
+  std::filesystem::path path_file;     // driven instead of a plan; empty: the field is planned
+  double path_tolerance_m = 0.3;       // within which a track is smoothed, see make_drivable
   SimulationOptions simulation;
   double coverage_cell_m = 0.25;
   VerdictLimits verdict;

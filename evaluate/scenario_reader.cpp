@@ -162,6 +162,11 @@ EdgeHeadland read_edge_headland(const YamlSection& section) {
 
 }  // namespace
 
+std::string place_of(const PlannerChoice& planner, const std::string& key) {
+  const auto place = planner.places.find(key);
+  return place == planner.places.end() ? "planner." + key : place->second;
+}
+
 PlannerChoice read_planner(const YamlSection& top) {
   PlannerChoice choice;
   const YamlSection section =
@@ -203,8 +208,12 @@ PlannerChoice read_planner(const YamlSection& top) {
     choice.predict_place = place_of(section, "predict");
   }
   choice.ab_line = read_ab_line(section);
+  for (const std::string& key : known) {
+    if (has_key(section, key)) choice.places[key] = place_of(section, key);
+  }
   for (const YamlSection& edge :
        read_sections(section, "headland_edges").value_or(std::vector<YamlSection>{})) {
+    choice.places[headland_edge_key(choice.headland_edges.size())] = place_of_itself(edge);
     choice.headland_edges.push_back(read_edge_headland(edge));
   }
   if (choice.grid) {
@@ -281,6 +290,9 @@ Vehicle read_drive_keys(const YamlSection& top, const fs::path& folder,
         read_flag(*path, "keep_off_worked").value_or(scenario.path.keep_off_worked);
     scenario.path.continuous_turns =
         read_flag(*path, "continuous_turns").value_or(scenario.path.continuous_turns);
+    if (scenario.path.continuous_turns) {
+      scenario.continuous_turns_place = place_of(*path, "continuous_turns");
+    }
     // Whoever drives it will tell when it is gone: the results of a run outlive its track.
     if (const auto name = read_word(*path, "file")) {
       scenario.path_file = (folder / *name).lexically_normal();

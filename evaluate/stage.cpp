@@ -42,27 +42,28 @@ void load_grid(const Scenario& scenario, Stage& stage) {
 // Points of the planner's keys, which are in the CRS of the field's others.
 std::vector<Eigen::Vector2d> planner_points_W(const Scenario& scenario, const GeoFrame& frame,
                                               const std::vector<Eigen::Vector2d>& given,
-                                              const std::string& key) {
+                                              const std::string& place) {
   if (given.empty() || !frame.georeferenced) return given;
   const std::string crs = scenario.field.crs.empty() ? "EPSG:4326" : scenario.field.crs;
-  return local_from_wgs84(frame,
-                          wgs84_from_crs(crs, given, scenario.file.string() + ": planner." + key));
+  return local_from_wgs84(frame, wgs84_from_crs(crs, given, scenario.file.string() + ": " + place));
 }
 
 std::optional<std::array<Eigen::Vector2d, 2>> ab_line_W(const Scenario& scenario,
                                                         const GeoFrame& frame) {
   const auto& given = scenario.planner.ab_line;
   if (!given) return given;
-  const std::vector<Eigen::Vector2d> points_W =
-      planner_points_W(scenario, frame, {given->front(), given->back()}, "ab_line");
+  const std::vector<Eigen::Vector2d> points_W = planner_points_W(
+      scenario, frame, {given->front(), given->back()}, place_of(scenario.planner, "ab_line"));
   return std::array{points_W.front(), points_W.back()};
 }
 
 std::vector<EdgeHeadland> headland_edges_W(const Scenario& scenario, const GeoFrame& frame) {
   std::vector<EdgeHeadland> edges = scenario.planner.headland_edges;
-  for (EdgeHeadland& edge : edges) {
-    if (!edge.at_W) continue;
-    edge.at_W = planner_points_W(scenario, frame, {*edge.at_W}, "headland_edges").front();
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (!edges[i].at_W) continue;
+    edges[i].at_W = planner_points_W(scenario, frame, {*edges[i].at_W},
+                                     place_of(scenario.planner, headland_edge_key(i)))
+                        .front();
   }
   return edges;
 }

@@ -129,8 +129,6 @@ double distance_m(const Polyline& line_W, const Vector2d& p_W) {
   return least_m;
 }
 
-std::string key_of(std::size_t entry) { return fmt::format("headland_edges[{}]", entry); }
-
 std::string ring_name(int hole) {
   return hole == 0 ? std::string("the boundary") : fmt::format("hole {}", hole);
 }
@@ -143,17 +141,17 @@ std::vector<std::size_t> named_edges(const EdgeHeadland& entry, std::size_t numb
     const auto nearest = std::ranges::min_element(edges, {}, away_m);
     if (!(away_m(*nearest) <= kFarthestFromEdge_m)) {
       throw InputError(
-          "plan", key_of(number),
-          fmt::format("at ({:.1f}, {:.1f}) m", entry.at_W->x(), entry.at_W->y()),
+          "plan", headland_edge_key(number),
+          fmt::format("at ({:.7g}, {:.7g}) m", entry.at_W->x(), entry.at_W->y()),
           fmt::format("a place on an edge of the field, or at most {:g} m from it; the nearest, "
-                      "{}, is {:.0f} m away",
+                      "{}, is {:.3g} m away",
                       kFarthestFromEdge_m, edge_name(nearest->hole, nearest->edge),
                       away_m(*nearest)));
     }
     return {static_cast<std::size_t>(nearest - edges.begin())};
   }
   if (entry.hole < 0 || entry.hole > std::ssize(field.holes)) {
-    throw InputError("plan", key_of(number), fmt::format("hole {}", entry.hole),
+    throw InputError("plan", headland_edge_key(number), fmt::format("hole {}", entry.hole),
                      field.holes.empty()
                          ? std::string("the field has no holes")
                          : fmt::format("the field has holes 1 to {}", field.holes.size()));
@@ -166,7 +164,7 @@ std::vector<std::size_t> named_edges(const EdgeHeadland& entry, std::size_t numb
     if (entry.edge == 0 || edges[i].edge == entry.edge) named.push_back(i);
   }
   if (named.empty()) {
-    throw InputError("plan", key_of(number), fmt::format("edge {}", entry.edge),
+    throw InputError("plan", headland_edge_key(number), fmt::format("edge {}", entry.edge),
                      fmt::format("{} has {} edge{}, counted from 1 with the field on their left",
                                  ring_name(entry.hole), count, count == 1 ? "" : "s"));
   }
@@ -176,7 +174,7 @@ std::vector<std::size_t> named_edges(const EdgeHeadland& entry, std::size_t numb
 int rounds_asked(const EdgeHeadland& entry, std::size_t number, double width_m, double first_m) {
   if (entry.passes) {
     if (*entry.passes < 0 || *entry.passes > kMostRounds) {
-      throw InputError("plan", key_of(number), fmt::format("passes {}", *entry.passes),
+      throw InputError("plan", headland_edge_key(number), fmt::format("passes {}", *entry.passes),
                        fmt::format("0 to {} passes", kMostRounds));
     }
     return *entry.passes;
@@ -185,7 +183,7 @@ int rounds_asked(const EdgeHeadland& entry, std::size_t number, double width_m, 
   const double outside_m = first_m - 0.5 * width_m;
   const double rounds = std::ceil((entry.width_m - outside_m) / width_m - kWidthTolerance);
   if (rounds > kMostRounds) {
-    throw InputError("plan", key_of(number), fmt::format("width_m {:g}", entry.width_m),
+    throw InputError("plan", headland_edge_key(number), fmt::format("width_m {:g}", entry.width_m),
                      fmt::format("at most {} passes of {:g} m each", kMostRounds, width_m));
   }
   return std::max(1, static_cast<int>(rounds));
@@ -205,6 +203,10 @@ std::string edge_name(int hole, int edge) {
   return hole == 0 ? fmt::format("edge {}", edge) : fmt::format("edge {} of hole {}", edge, hole);
 }
 
+std::string headland_edge_key(std::size_t entry) {
+  return fmt::format("headland_edges[{}]", entry);
+}
+
 EdgeRounds edge_rounds(const PlanRequest& request, int others, double first_m) {
   EdgeRounds result{edges_of(request.field), {}, others};
   result.rounds.assign(result.edges.size(), others);
@@ -219,8 +221,8 @@ EdgeRounds edge_rounds(const PlanRequest& request, int others, double first_m) {
       auto& named = (whole_ring ? of_ring : alone)[edge];
       if (named) {
         const FieldEdge& twice = result.edges[edge];
-        throw InputError("plan", key_of(i), edge_name(twice.hole, twice.edge),
-                         fmt::format("{} names it already", key_of(*named)));
+        throw InputError("plan", headland_edge_key(i), edge_name(twice.hole, twice.edge),
+                         fmt::format("{} names it already", headland_edge_key(*named)));
       }
       named = i;
       if (!whole_ring || !alone[edge]) result.rounds[edge] = rounds;

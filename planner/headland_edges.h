@@ -33,6 +33,9 @@ std::vector<FieldEdge> edges_of(const Field& field);
 // "edge 3 of hole 1"; "edge 3" of the boundary.
 std::string edge_name(int hole, int edge);
 
+// What errors call an entry of PlanRequest::headland_edges: "headland_edges[0]".
+std::string headland_edge_key(std::size_t entry);
+
 // Rounds of every edge. `others` is of edges that are not named, and of obstacles.
 struct EdgeRounds {
   std::vector<FieldEdge> edges;

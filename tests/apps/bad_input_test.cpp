@@ -22,6 +22,7 @@ std::string field(const std::string& boundary, const std::string& more = "") {
 
 const std::string kSquare = "[0, 0], [60, 0], [60, 40], [0, 40]";
 const std::string kEvaluate = "evaluate bad.yaml -o DIR";
+const std::string kPlan = "plan bad.yaml -o DIR";
 const std::string kTrack = "drive tiny.yaml --path other.csv -o DIR";
 const std::string kCompare = "compare bad.yaml -o DIR";
 const std::string kComparedMap = "maps: [{generator: {columns: 6, rows: 5}}]\n";
@@ -40,6 +41,21 @@ const BadInput kBadInputs[] = {
     {"ScenarioIsAFolder", "evaluate . -o DIR", "", "", "is a folder"},
     {"MalformedYaml", kEvaluate, "field: [1, 2\n", "", "malformed YAML"},
     {"UnknownKey", kEvaluate, kTinyScenario + "sead: 1\n", "", "did you mean 'seed'?"},
+    {"EdgeThatIsNotThere", kPlan,
+     kTinyScenario + "planner:\n  headland_edges:\n    - {edge: 1, passes: 1}\n"
+                     "    - {edge: 9, passes: 1}\n",
+     "", "bad.yaml: line 8: planner.headland_edges: 'edge 9': the boundary has 4 edges"},
+    {"EdgeFarOff", kPlan,
+     kTinyScenario + "planner:\n  headland_edges:\n    - {at: [500, 1e300], passes: 1}\n", "",
+     "bad.yaml: line 7: planner.headland_edges: 'at (500, 1e+300) m': a place on an edge"},
+    {"GuidanceBesideTheField", kPlan, kTinyScenario + "planner:\n  ab_line: [[90, 0], [90, 40]]\n",
+     "", "bad.yaml: line 6: planner.ab_line: '(90.0, 0.0) to (90.0, 40.0) m'"},
+    {"TrailedIntoCorners", kPlan,
+     kTinyField + "vehicle: utility_tractor_trailed\nplanner: {headland_corners: covered}\n", "",
+     "bad.yaml: line 5: planner.headland_corners: 'covered'"},
+    {"ContinuousTurnsOfSkidSteering", kPlan,
+     kTinyField + "vehicle: skid_steer_robot\npath: {continuous_turns: true}\n", "",
+     "bad.yaml: line 5: path.continuous_turns: 'true'"},
     {"MalformedGeoJson", kEvaluate, "field: {file: other.geojson}\nvehicle: transplanter\n",
      "{\"type\":\n\"Polygon\", ,}\n", "other.geojson: line 2: malformed JSON (character 21)"},
     {"MalformedCsv", kTrack, "", "x,y\n1,2\n3,four\n",

@@ -140,7 +140,7 @@ TEST(FieldEdges, WhatIsNotThereIsRefused) {
               HasSubstr("headland_edges[0]: 'edge 5': the boundary has 4 edges"));
   EXPECT_THAT(refused({by_number(1, 0, 1)}), HasSubstr("'hole 1': the field has no holes"));
   EXPECT_THAT(refused({by_place(75, 0, 1), by_place(75, -60, 0)}),
-              HasSubstr("headland_edges[1]: 'at (75.0, -60.0) m': a place on an edge"));
+              HasSubstr("headland_edges[1]: 'at (75, -60) m': a place on an edge"));
   EXPECT_THAT(refused({by_place(75, 0, 1), by_number(0, 1, 0)}),
               HasSubstr("headland_edges[1]: 'edge 1': headland_edges[0] names it already"));
   EdgeHeadland wide = by_place(75, 0, 0);
