@@ -118,7 +118,7 @@ Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
   ConnectionOptions connection{planning_turning_radius_m(vehicle), options.clearance_m, cancelled};
   if (options.continuous_turns) connection.sharpness_per_m2 = turning_sharpness_per_m2(vehicle);
   std::vector<double> cuts = with_room(plan, outline, space, connection, vehicle, options, lines);
-  Path path = join_lines(field, vehicle, space, lines, options, cancelled);
+  Path path = join_lines(field, vehicle, space, lines, options, cancelled, plan.remedies);
   measure_left_out(outline, vehicle, plan.passes, path);
   if (!options.allow_overrun) refuse_if_most_left_out(plan.passes, path);
   path.cut_back_m = std::move(cuts);

@@ -111,6 +111,7 @@ void tell_unworked(const GridMap& map, const std::vector<WorkedCell>& worked,
 Plan plan_of(const GridMap& map, const GridPlan& given, const std::vector<GridRun>& runs) {
   Plan plan;
   plan.planner = given.planner;
+  plan.remedies.has_headland = false;
   for (const GridRun& run : runs) {
     plan.passes.push_back(pass_of(map, run));
     plan.planned_length_m += run.end_m - run.begin_m;
@@ -156,7 +157,8 @@ GridDrive make_grid_path(const Field& field, const Vehicle& vehicle, const GridM
   for (const GridRun& run : runs) lines.push_back(line_of(joining, run));
   // Every way is known to be there, and is found again by as many nodes as it took.
   const int nodes = options.allow_overrun ? kNodeBudget : std::numeric_limits<int>::max();
-  drive.path = join_lines(field, vehicle, space, lines, options, cancelled, nodes);
+  drive.path =
+      join_lines(field, vehicle, space, lines, options, cancelled, drive.plan.remedies, nodes);
   tell_unworked(map, worked, hindrances, drive);
   return drive;
 }

@@ -1,5 +1,7 @@
 #include "planner/headland_order.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -93,6 +95,17 @@ std::span<const ParameterSpec> headland_parameters() {
 int asked_rounds(const PlanRequest& request) {
   const auto asked = number_unless_word(request.parameters, "headland_passes");
   return asked ? static_cast<int>(*asked) : rounds_for_turning(request);
+}
+
+std::vector<std::string> ways_off_rows(const PlanRequest& request) {
+  std::vector<std::string> ways{
+      fmt::format("another swath_order than {}", word(request.parameters, "swath_order"))};
+  const std::string& order = word(request.parameters, "headland_order");
+  if (order != "first") ways.emplace_back("headland_order: first");
+  if (order == "last" && !request.field.holes.empty()) {
+    ways.emplace_back("headland_order: holes_first");
+  }
+  return ways;
 }
 
 std::optional<Eigen::Vector2d> end_of(const std::vector<Pass>& passes,

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "planner/edge_passes.h"
@@ -16,6 +17,9 @@ std::span<const ParameterSpec> headland_parameters();
 
 // `headland_passes`; auto: as many as turning needs (rounds_for_turning).
 int asked_rounds(const PlanRequest& request);
+
+// Parameters that may help where wheels cannot keep off rows, of those not chosen yet.
+std::vector<std::string> ways_off_rows(const PlanRequest& request);
 
 // Where the vehicle is after these passes; before any, at the entry.
 std::optional<Eigen::Vector2d> end_of(const std::vector<Pass>& passes,

@@ -235,7 +235,7 @@ void append_entry(LineJoining& joining, const Eigen::Vector2d& entry_W) {
 
 Path join_lines(const Field& field, const Vehicle& vehicle, const FreeSpace& space,
                 const std::vector<WorkLine>& lines, const PathOptions& options,
-                const CancelAsked& cancelled, int node_budget) {
+                const CancelAsked& cancelled, const TurnRemedies& remedies, int node_budget) {
   WorkedGround worked;
   FreeSpace off_rows;
   if (options.keep_off_worked) {
@@ -247,6 +247,7 @@ Path join_lines(const Field& field, const Vehicle& vehicle, const FreeSpace& spa
                       cancelled};
   joining.worked = options.keep_off_worked ? &worked : nullptr;
   joining.node_budget = node_budget;
+  joining.remedies = remedies;
   joining.radius_m = planning_turning_radius_m(vehicle);
   if (field.entry_W) append_entry(joining, *field.entry_W);
   const std::vector<DrivenLine> driven = lines_to_drive(joining);

@@ -27,6 +27,7 @@ inline constexpr int kNodeBudget = 400000;
 // and up between them. Throws PlanInfeasible and Cancelled as make_path does.
 Path join_lines(const Field& field, const Vehicle& vehicle, const FreeSpace& space,
                 const std::vector<WorkLine>& lines, const PathOptions& options,
-                const CancelAsked& cancelled, int node_budget = kNodeBudget);
+                const CancelAsked& cancelled, const TurnRemedies& remedies = {},
+                int node_budget = kNodeBudget);
 
 }  // namespace headland

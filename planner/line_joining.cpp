@@ -1,6 +1,7 @@
 #include "planner/line_joining.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -53,20 +54,31 @@ void refuse_connection(const LineJoining& joining, std::size_t before, std::size
   const double depth_m = least_depth_m(joining.space, pose_of(from), pose_of(to), joining.radius_m,
                                        end_W, ahead.outward) +
                          joining.options.clearance_m;
+  std::vector<std::string> remedies;
+  if (depth_m > there_m) {
+    if (joining.remedies.has_headland) remedies.emplace_back("widen the headland");
+    remedies.emplace_back("turn tighter");
+  }
+  if (joining.worked != nullptr) {
+    const std::vector<std::string>& ways = joining.remedies.off_rows;
+    remedies.insert(remedies.end(), ways.begin(), ways.end());
+    remedies.emplace_back("let wheels run over rows (path.keep_off_worked: false)");
+  }
+  if (depth_m <= there_m) {
+    remedies.emplace_back("move the passes");
+    remedies.emplace_back("remove what is in the way");
+  }
+  const std::string may_help =
+      fmt::format("{} or allow overruns (--allow-overrun)", fmt::join(remedies, ", "));
   if (depth_m > there_m) {
     const double would_do_m = std::ceil(depth_m / kWidthStep_m) * kWidthStep_m;
     throw PlanInfeasible(
-        fmt::format("{}: it needs a headland of {:.1f} m and there are {:.1f} m; widen the "
-                    "headland, turn tighter or allow overruns (--allow-overrun)",
-                    what, would_do_m, there_m));
+        fmt::format("{}: it needs a headland of {:.1f} m and there are {:.1f} m; {}", what,
+                    would_do_m, there_m, may_help));
   }
-  throw PlanInfeasible(fmt::format(
-      "{}: the way is blocked though the headland of {:.1f} m is deep enough; {}move the passes, "
-      "remove what is in the way or allow overruns (--allow-overrun)",
-      what, there_m,
-      joining.worked != nullptr
-          ? "take another swath_order, headland_order: holes_first, or let wheels run over rows, "
-          : ""));
+  throw PlanInfeasible(
+      fmt::format("{}: the way is blocked though the headland of {:.1f} m is deep enough; {}", what,
+                  there_m, may_help));
 }
 
 }  // namespace headland

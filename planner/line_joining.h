@@ -23,6 +23,7 @@ struct LineJoining {
   int node_budget = 0;
   int manoeuvre = 0;
   Path path{};
+  TurnRemedies remedies{};
   WorkedGround* worked = nullptr;  // rows that wheels keep off, as `space` knows them; null: none
 };
 

@@ -71,8 +71,15 @@ struct PlanRequest {
   CancelAsked cancelled;            // ends planning with Cancelled
 };
 
+// What of its planner's choices may help where no turn fits, for refusals.
+struct TurnRemedies {
+  bool has_headland = true;           // that could be wider
+  std::vector<std::string> off_rows;  // where wheels are to keep off rows
+};
+
 struct Plan {
   std::string planner;
+  TurnRemedies remedies;
   std::vector<Pass> passes;
   double swath_direction_rad = 0.0;         // of the first swath's line, 0..pi
   double headland_width_m = 0.0;            // where it is widest

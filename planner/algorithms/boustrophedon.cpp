@@ -59,6 +59,7 @@ void append_filling(const PlanRequest& request, double direction_rad, const Free
 Plan plan_along(const SwathGrid& grid, const Headland& headland, const PlanRequest& request) {
   Plan plan;
   plan.planner = "boustrophedon";
+  plan.remedies.off_rows = ways_off_rows(request);
   plan.swath_direction_rad = grid.direction_rad;
   plan.headland_width_m = headland.width_m;
   plan.headland_edges = headland.edges;

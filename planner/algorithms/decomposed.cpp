@@ -163,6 +163,7 @@ Plan plan_decomposed(const PlanRequest& asked_for) {
   const std::vector<SwathGrid> grids = grids_of(request, headland);
   Plan plan;
   plan.planner = "decomposed";
+  plan.remedies.off_rows = ways_off_rows(request);
   plan.swath_direction_rad = grids.front().direction_rad;
   plan.headland_width_m = headland.width_m;
   plan.headland_edges = headland.edges;

@@ -38,6 +38,12 @@ TEST(MakePath, NarrowHeadlandIsRefusedWithAWidthThatWorks) {
   const std::string before_width = "it needs a headland of ";
   const std::size_t width_at = message.find(before_width);
   ASSERT_NE(width_at, std::string::npos);
+  EXPECT_THAT(message, HasSubstr("; widen the headland, turn tighter or allow overruns"));
+  Plan on_cells = up_and_down(40.0, 60.0, 2.0, 3.0);
+  on_cells.remedies.has_headland = false;
+  EXPECT_THAT(
+      [&] { make_path(field, vehicle, on_cells, {}); },
+      testing::ThrowsMessage<PlanInfeasible>(HasSubstr("; turn tighter or allow overruns")));
   const double would_do_m = std::stod(message.substr(width_at + before_width.size()));
   const Path path = make_path(field, vehicle, up_and_down(40.0, 60.0, 2.0, would_do_m), {});
   EXPECT_TRUE(path.violations.empty());

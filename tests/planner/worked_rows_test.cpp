@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "planner/drivable_path.h"
+#include "planner/headland_order.h"
 #include "planner/plan.h"
 #include "tests/planner/field_shapes.h"
 #include "tests/planner/made_up_vehicle.h"
@@ -14,7 +15,9 @@ namespace headland {
 namespace {
 
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 Vehicle wheeled_vehicle() {
   Vehicle vehicle = made_up_vehicle(2.6, 2.0);
@@ -86,6 +89,24 @@ TEST(KeepOffWorked, TheWayLeadsAroundRows) {
   EXPECT_GT(length_m(around), length_m(across));
 }
 
+TEST(KeepOffWorked, OnlyWhatIsNotChosenYetMayHelp) {
+  PlanRequest request;
+  request.field = rows_field();
+  request.field.holes.clear();
+  const auto ways = [&](const char* headland_order) {
+    request.parameters = {{"swath_order", std::string("skip")},
+                          {"headland_order", std::string(headland_order)}};
+    return ways_off_rows(request);
+  };
+  const std::string other = "another swath_order than skip";
+  EXPECT_THAT(ways("last"), ElementsAre(other, "headland_order: first"));
+  EXPECT_THAT(ways("first"), ElementsAre(other));
+  request.field.holes.push_back({{20, 20}, {20, 21}, {21, 21}});
+  EXPECT_THAT(ways("last"),
+              ElementsAre(other, "headland_order: first", "headland_order: holes_first"));
+  EXPECT_THAT(ways("holes_first"), ElementsAre(other, "headland_order: first"));
+}
+
 TEST(KeepOffWorked, WhatCannotIsRefusedWithItsPlace) {
   const Vehicle vehicle = wheeled_vehicle();
   PathOptions options;
@@ -98,6 +119,8 @@ TEST(KeepOffWorked, WhatCannotIsRefusedWithItsPlace) {
     FAIL() << "the first swath shuts the others off from each other";
   } catch (const PlanInfeasible& refused) {
     EXPECT_THAT(refused.what(), HasSubstr("keeps off the rows worked (path.keep_off_worked)"));
+    EXPECT_THAT(refused.what(), HasSubstr("let wheels run over rows"));
+    EXPECT_THAT(refused.what(), Not(HasSubstr("swath_order"))) << "this plan has none";
   }
   // Where overruns are allowed it is driven, and told.
   options.allow_overrun = true;
