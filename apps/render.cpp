@@ -53,6 +53,10 @@ Job job_of(const CommonOptions& options) {
     throw InputError((folder / kScenarioFile).string(), "", "",
                      "no such file: 'headland drive' or 'headland evaluate' writes it");
   }
+  // Before the folder is taken for one to write into.
+  for (const char* name : {kScenarioFile, kPathFile, kRunFile, kFootprintFile, kSegmentsFile}) {
+    if (std::filesystem::exists(folder / name)) require_file(folder / name);
+  }
   return make_job(folder / kScenarioFile, folder, options);
 }
 

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -28,12 +30,19 @@ Rgba diffuse_colour(const aiMaterial& material) {
   return {byte(colour.r), byte(colour.g), byte(colour.b)};
 }
 
-// Notes which of the files that a mesh file names cannot be opened.
+bool defines_materials(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  return text.find("newmtl") != std::string::npos;
+}
+
+// Notes which of the files that a mesh file names cannot be opened, and which of materials have
+// none.
 class NotingFiles : public Assimp::DefaultIOSystem {
  public:
   // `own`: the name of the materials' file that goes without saying.
-  NotingFiles(std::vector<std::string>& missing, std::string own)
-      : missing_(missing), own_(std::move(own)) {}
+  NotingFiles(std::vector<std::string>& missing, std::vector<std::string>& empty, std::string own)
+      : missing_(missing), empty_(empty), own_(std::move(own)) {}
 
   Assimp::IOStream* Open(const char* file, const char* mode) override {
     Assimp::IOStream* const stream = DefaultIOSystem::Open(file, mode);
@@ -46,11 +55,14 @@ class NotingFiles : public Assimp::DefaultIOSystem {
     } else if (name == own_) {
       missing_.clear();
     }
+    const bool of_materials = std::filesystem::path(file).extension() == ".mtl";
+    if (stream != nullptr && of_materials && !defines_materials(file)) empty_.push_back(name);
     return stream;
   }
 
  private:
   std::vector<std::string>& missing_;
+  std::vector<std::string>& empty_;
   std::string own_;
 };
 
@@ -90,8 +102,9 @@ MeshFile read_mesh(const std::filesystem::path& file) {
   require_file(file);
   Assimp::Importer importer;
   std::vector<std::string> missing;
+  std::vector<std::string> empty;
   // The importer's from here on.
-  importer.SetIOHandler(new NotingFiles(missing, file.stem().string() + ".mtl"));
+  importer.SetIOHandler(new NotingFiles(missing, empty, file.stem().string() + ".mtl"));
   // Points and lines have no surface to draw.
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
@@ -120,6 +133,10 @@ MeshFile read_mesh(const std::filesystem::path& file) {
   for (const std::string& material : missing) {
     read.lacks.push_back(
         fmt::format("{} names the materials {}, which cannot be read: drawn grey", name, material));
+  }
+  for (const std::string& material : empty) {
+    read.lacks.push_back(
+        fmt::format("{} names the materials {}, which defines none: drawn grey", name, material));
   }
   for (const std::string& texture : textures_of(*scene)) {
     const bool embedded = scene->GetEmbeddedTexture(texture.c_str()) != nullptr;

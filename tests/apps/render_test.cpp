@@ -81,6 +81,14 @@ TEST_F(RenderTest, RefusesWhatItCannotDraw) {
   EXPECT_THAT(refused("--view map --size 9000x9000"), HasSubstr("to 8192x8192 pixels"));
 }
 
+TEST_F(RenderTest, AFolderInPlaceOfAFileIsNotRead) {
+  for (const char* name : {"run.csv", "path.geojson", "scenario.yaml"}) {
+    std::filesystem::remove(folder_ / "A" / name);
+    std::filesystem::create_directory(folder_ / "A" / name);
+    EXPECT_THAT(refused("--view map"), HasSubstr(std::string(name) + ": is a folder, not a file"));
+  }
+}
+
 TEST_F(RenderTest, DrawsWhatIsLeftOfACutOffRecordAndSaysSo) {
   const std::string run = text_of(folder_ / "A" / "run.csv");
   write("A/run.csv", run.substr(0, run.size() / 2));

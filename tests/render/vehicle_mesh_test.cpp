@@ -76,6 +76,13 @@ TEST(MeshFile, NamesTheMaterialsAndTexturesThatItIsDrawnWithout) {
   EXPECT_EQ(read_mesh(wooden).mesh.vertices[0].colour, (Rgba{255, 51, 0}));
   scratch("paint.mtl", "newmtl paint\nKd 1.0 0.2 0.0\n");
   EXPECT_TRUE(read_mesh(wooden).lacks.empty());
+  for (const char* const nothing : {"", "\x01 no materials\n"}) {
+    scratch("paint.mtl", nothing);
+    EXPECT_THAT(read_mesh(wooden).lacks,
+                ElementsAre("wooden.obj names the materials paint.mtl, which defines none: drawn "
+                            "grey"));
+  }
+  scratch("paint.mtl", "newmtl paint\nKd 1.0 0.2 0.0\n");
 
   Vehicle vehicle = level_run(10.0, 10.0, 5.0).vehicle;
   Shape body;
