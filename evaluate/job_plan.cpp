@@ -205,6 +205,7 @@ void set_expected_times(JobPlan& made) {
 JobPlan plan_job(const JobSpec& job, const CancelAsked& cancelled) {
   const std::string file = job.common.file.string();
   const Vehicle vehicle = vehicle_of(job.common, file);
+  check_path_keys(job.common, vehicle);
   const double reach = reach_m(hull_of(vehicle));
   JobGround ground = job_ground(job);
   Stage flat;

@@ -26,9 +26,6 @@ PlannedPath planned(const Scenario& scenario, const Stage& stage,
     made.path = make_path(stage.field, stage.vehicle, made.plan, scenario.path, cancelled);
     return made;
   } catch (const InputError& refused) {
-    if (refused.where == "continuous_turns" && !scenario.continuous_turns_place.empty()) {
-      throw InputError(source, scenario.continuous_turns_place, refused.value, refused.allowed);
-    }
     throw as_in_scenario(refused, source, scenario.planner);
   }
 }
@@ -82,6 +79,17 @@ InputError as_in_scenario(const InputError& refused, const std::string& source,
   return {source, place_of(planner, refused.where), refused.value, refused.allowed};
 }
 
+void check_path_keys(const Scenario& scenario, const Vehicle& vehicle) {
+  try {
+    check_path_options(vehicle, scenario.path);
+  } catch (const InputError& refused) {
+    throw InputError(scenario.file.string(),
+                     scenario.continuous_turns_place.empty() ? "path." + refused.where
+                                                             : scenario.continuous_turns_place,
+                     refused.value, refused.allowed);
+  }
+}
+
 GridPlan plan_on_grid(const Scenario& scenario, const Stage& stage, const CancelAsked& cancelled) {
   std::vector<std::string> notes;
   return planned_on_grid(scenario, stage,
@@ -92,6 +100,7 @@ GridPlan plan_on_grid(const Scenario& scenario, const Stage& stage, const Cancel
 
 PlanResult plan_scenario(const Scenario& scenario, const Stage& stage,
                          const CancelAsked& cancelled) {
+  check_path_keys(scenario, stage.vehicle);
   PlanResult made;
   const std::optional<DriveCost> cost = read_if_given(
       scenario.planner.cost_file, scenario.planner.cost_place, scenario, stage, made.notes);

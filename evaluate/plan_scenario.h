@@ -28,6 +28,9 @@ struct PlanResult {
 PlanResult plan_scenario(const Scenario& scenario, const Stage& stage,
                          const CancelAsked& cancelled = {});
 
+// Throws as check_path_options, with where that stands in the scenario.
+void check_path_keys(const Scenario& scenario, const Vehicle& vehicle);
+
 // What a planner refuses of its request, with where that stands in the file `source`.
 InputError as_in_scenario(const InputError& refused, const std::string& source,
                           const PlannerChoice& planner);

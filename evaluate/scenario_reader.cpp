@@ -122,7 +122,8 @@ std::optional<std::array<Eigen::Vector2d, 2>> read_ab_line(const YamlSection& se
   if (!points) return std::nullopt;
   if (points->size() != 2) {
     throw InputError(section.source, place_of(section, "ab_line"),
-                     fmt::format("{} points", points->size()), "two points, A and B");
+                     fmt::format("{} point{}", points->size(), points->size() == 1 ? "" : "s"),
+                     "two points, A and B");
   }
   for (const Eigen::Vector2d& point : *points) {
     if (point.allFinite()) continue;
@@ -162,6 +163,23 @@ EdgeHeadland read_edge_headland(const YamlSection& section) {
 
 }  // namespace
 
+namespace {
+
+// A key that is no typing error: another planner on fields has it.
+void refuse_of_others(const YamlSection& section, const std::string& planner,
+                      const std::vector<std::string>& known) {
+  for (const PlannerEntry& other : planners()) {
+    for (const ParameterSpec& parameter : other.parameters) {
+      const bool own = std::ranges::find(known, parameter.name) != known.end();
+      if (own || !has_key(section, parameter.name)) continue;
+      throw InputError(section.source, place_of(section, parameter.name), "",
+                       fmt::format("a key of planner {}, not of {}", other.name, planner));
+    }
+  }
+}
+
+}  // namespace
+
 std::string place_of(const PlannerChoice& planner, const std::string& key) {
   const auto place = planner.places.find(key);
   return place == planner.places.end() ? "planner." + key : place->second;
@@ -197,6 +215,7 @@ PlannerChoice read_planner(const YamlSection& top) {
   std::vector<std::string> known = keys_in_section("planner");
   const std::vector<std::string> own = parameter_names(parameters);
   known.insert(known.end(), own.begin(), own.end());
+  refuse_of_others(section, choice.name, known);
   refuse_unknown_keys(section, known);
   choice.parameters = read_parameters(section, parameters);
   if (check != nullptr) check(choice.parameters, top.source, place_of_itself(section));

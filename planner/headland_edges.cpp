@@ -139,14 +139,16 @@ std::vector<std::size_t> named_edges(const EdgeHeadland& entry, std::size_t numb
   if (entry.at_W) {
     const auto away_m = [&](const FieldEdge& edge) { return distance_m(edge.line_W, *entry.at_W); };
     const auto nearest = std::ranges::min_element(edges, {}, away_m);
-    if (!(away_m(*nearest) <= kFarthestFromEdge_m)) {
+    const double least_m = away_m(*nearest);
+    if (!(least_m <= kFarthestFromEdge_m)) {
+      constexpr double kFar_m = 1e6;
       throw InputError(
           "plan", headland_edge_key(number),
           fmt::format("at ({:.7g}, {:.7g}) m", entry.at_W->x(), entry.at_W->y()),
           fmt::format("a place on an edge of the field, or at most {:g} m from it; the nearest, "
-                      "{}, is {:.3g} m away",
+                      "{}, is {} away",
                       kFarthestFromEdge_m, edge_name(nearest->hole, nearest->edge),
-                      away_m(*nearest)));
+                      least_m < kFar_m ? fmt::format("{:.0f} m", least_m) : "more than 1000 km"));
     }
     return {static_cast<std::size_t>(nearest - edges.begin())};
   }

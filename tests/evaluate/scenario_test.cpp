@@ -140,7 +140,7 @@ TEST_F(ScenarioTest, AGuidanceLineIsReadWrittenAndBroughtToW) {
   EXPECT_NEAR(b_W.y() - a_W.y(), 111.2, 0.1);
   EXPECT_TRUE(inside_field(stage.field, 0.5 * (a_W + b_W)));
   EXPECT_THAT(refusal(field + "planner: {ab_line: [[11.501, 48.1]]}\n"),
-              HasSubstr("planner.ab_line: '1 points': two points, A and B"));
+              HasSubstr("planner.ab_line: '1 point': two points, A and B"));
   EXPECT_THAT(refusal(field + "planner: {name: grid_tplp, ab_line: [[1, 2], [3, 4]]}\n"),
               HasSubstr("only of planners on fields"));
 }
