@@ -70,6 +70,49 @@ int nearest_free(const DiscCells& cells, const Vector2d& p_W) {
   return nearest;
 }
 
+std::vector<int> disc_components(const DiscCells& cells) {
+  std::vector<int> component(cells.free.size(), -1);
+  int count = 0;
+  std::vector<int> open;
+  const auto reach = [&](int cell) {
+    int& of_cell = component[static_cast<std::size_t>(cell)];
+    if (of_cell >= 0 || !cells.is_free(cell)) return;
+    of_cell = count;
+    open.push_back(cell);
+  };
+  for (int first = 0; first < static_cast<int>(component.size()); ++first) {
+    reach(first);
+    if (open.empty()) continue;
+    while (!open.empty()) {
+      const int cell = open.back();
+      open.pop_back();
+      visit_around(cells, cell, [&](int next, double /*step_m*/) { reach(next); });
+    }
+    ++count;
+  }
+  return component;
+}
+
+std::vector<int> grown_components(const DiscCells& cells, std::vector<int> component) {
+  std::vector<int> edge;
+  for (int cell = 0; cell < static_cast<int>(component.size()); ++cell) {
+    if (component[static_cast<std::size_t>(cell)] >= 0) edge.push_back(cell);
+  }
+  while (!edge.empty()) {
+    std::vector<int> next_edge;
+    for (const int cell : edge) {
+      visit_around(cells, cell, [&](int next, double /*step_m*/) {
+        int& of_next = component[static_cast<std::size_t>(next)];
+        if (of_next >= 0 || !cells.is_free(next)) return;
+        of_next = component[static_cast<std::size_t>(cell)];
+        next_edge.push_back(next);
+      });
+    }
+    edge = std::move(next_edge);
+  }
+  return component;
+}
+
 std::vector<float> disc_way_lengths(const DiscCells& cells, const std::vector<WayBegin>& begins) {
   std::vector<float> length_m(cells.free.size(), kNoDiscWay_m);
   using Reached = std::pair<float, int>;

@@ -28,6 +28,14 @@ DiscCells disc_cells(const FreeSpace& space, double radius_m, double cell_m);
 // The free cell nearest to a place; the cell of the place itself where none is free.
 int nearest_free(const DiscCells& cells, const Eigen::Vector2d& p_W);
 
+// The number of the component that each cell is in, counted from 0; -1 for cells that are not free.
+// Cells are joined with the eight around them.
+std::vector<int> disc_components(const DiscCells& cells);
+
+// The same with the free cells that have none in the component that is reached from them in the
+// fewest steps, -1 where there is none.
+std::vector<int> grown_components(const DiscCells& cells, std::vector<int> component);
+
 // A cell, and how far it is from there to the goal.
 struct WayBegin {
   int cell = 0;

@@ -1,0 +1,108 @@
+// Which passes are driven where gaps part a field.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "planner/drivable_path.h"
+#include "planner/part_ways.h"
+#include "planner/roomy_parts.h"
+#include "tests/planner/made_up_vehicle.h"
+#include "tests/planner/path_fixture.h"
+
+namespace headland {
+namespace {
+
+using test::rectangle;
+using testing::HasSubstr;
+
+constexpr double kEntryRoom_m = 3.0;  // a path begins where the hull fits near the entry
+
+// A wall from south to north in the middle of 80 by 40 m, with gaps at both its ends.
+Field with_wall(double gap_m) {
+  Field field = rectangle(80.0, 40.0);
+  field.holes.push_back({{40.0, gap_m}, {40.0, 40.0 - gap_m}, {41.0, 40.0 - gap_m}, {41.0, gap_m}});
+  return field;
+}
+
+// 20 m west of the wall, then 30 m east of it.
+Plan on_both_sides() {
+  Plan plan;
+  plan.passes.push_back({PassKind::kSwath, {{10.0, 20.0}, {30.0, 20.0}}, true});
+  plan.passes.push_back({PassKind::kSwath, {{52.0, 10.0}, {67.0, 10.0}}, true});
+  plan.passes.push_back({PassKind::kSwath, {{67.0, 20.0}, {52.0, 20.0}}, true});
+  return plan;
+}
+
+std::vector<std::size_t> left_out(const Path& path) {
+  std::vector<std::size_t> passes;
+  for (const LeftOutPass& pass : path.left_out) passes.push_back(pass.pass);
+  std::ranges::sort(passes);
+  return passes;
+}
+
+TEST(DrivenLines, BeginWhereMostIsToBeDriven) {
+  const Field field = with_wall(1.0);
+  const Vehicle vehicle = made_up_vehicle(2.6, 2.0);
+  const Path path = make_path(field, vehicle, on_both_sides(), {});
+  EXPECT_EQ(left_out(path), std::vector<std::size_t>{0});
+  EXPECT_THAT(path.left_out.at(0).why, HasSubstr("tight gaps to pass 1 (swath)"));
+  test::expect_continuous(path, vehicle);
+}
+
+TEST(DrivenLines, BeginWhereTheFieldIsEntered) {
+  Field field = with_wall(1.0);
+  const Vehicle vehicle = made_up_vehicle(2.6, 2.0);
+  PathOptions options;
+  options.allow_overrun = true;  // else refused: less than half of the passes is driven
+  for (const bool west : {true, false}) {
+    field.entry_W = Eigen::Vector2d(west ? 2.0 : 78.0, 2.0);
+    const Path path = make_path(field, vehicle, on_both_sides(), options);
+    EXPECT_EQ(left_out(path),
+              west ? (std::vector<std::size_t>{1, 2}) : std::vector<std::size_t>{0});
+    EXPECT_LT((path.segments.front().points.front().p_W - *field.entry_W).norm(), kEntryRoom_m);
+    test::expect_continuous(path, vehicle);
+    test::expect_inside(path, field, vehicle, options.clearance_m);
+  }
+}
+
+TEST(DrivenLines, GoThroughGapsThatAreWideEnough) {
+  const Field field = with_wall(8.0);
+  const Vehicle vehicle = made_up_vehicle(2.6, 2.0);
+  const Path path = make_path(field, vehicle, on_both_sides(), {});
+  EXPECT_TRUE(path.left_out.empty());
+  test::expect_inside(path, field, vehicle, PathOptions{}.clearance_m);
+}
+
+TEST(RoomyParts, AreJoinedByWideGapsAlone) {
+  const Hull hull = hull_of(made_up_vehicle(2.6, 2.0));
+  const Pose west{{20.0, 20.0}, 0.0};
+  const Pose east{{60.0, 20.0}, 0.0};
+  constexpr double kClearance_m = 0.1;
+  const double wide_m = 2.0 * (hull.half_width_m + kClearance_m + kTightGap_m);
+  for (const double gap_m : {0.7 * wide_m, 1.3 * wide_m}) {
+    const RoomyParts parts = roomy_parts(free_space(with_wall(gap_m), hull), kClearance_m);
+    EXPECT_GE(parts.at(west), 0);
+    EXPECT_GE(parts.at(east), 0);
+    EXPECT_EQ(parts.at(west) == parts.at(east), gap_m > wide_m) << gap_m;
+  }
+}
+
+TEST(PartWays, AreTakenToBeApartAfterSearchesInARowAlone) {
+  const Pose west{{20.0, 20.0}, 0.0};
+  const Pose east{{60.0, 20.0}, 0.0};
+  PartWays ways{roomy_parts(free_space(with_wall(1.0), hull_of(made_up_vehicle(2.6, 2.0))), 0.1)};
+  for (int search = 1; search < kSearchesBetween; ++search) note_search(ways, west, east, false);
+  EXPECT_FALSE(are_apart(ways, west, east));
+  note_search(ways, west, east, true);
+  for (int search = 1; search < kSearchesBetween; ++search) note_search(ways, west, east, false);
+  EXPECT_FALSE(are_apart(ways, west, east));
+  note_search(ways, west, east, false);
+  EXPECT_TRUE(are_apart(ways, west, east));
+  EXPECT_FALSE(are_apart(ways, east, west)) << "one way has not been searched for";
+  for (int search = 0; search < 2 * kSearchesBetween; ++search) {
+    note_search(ways, west, west, false);
+  }
+  EXPECT_FALSE(are_apart(ways, west, west)) << "within a part nothing is learned";
+}
+
+}  // namespace
+}  // namespace headland
