@@ -75,6 +75,10 @@ PictureSize picture_size(const CommonOptions& options, const PictureSize& least 
 // "90", "90.5", "1:30" or "1:02:30", given to this option, as seconds. Throws InputError.
 double time_from(const std::string& option, const std::string& text);
 
+// plan_stage and given_path_stage (stages.h) with progress on the terminal.
+PlanResult plan_with_progress(const Job& job, bool quiet);
+std::optional<TrackReport> given_path_with_progress(const Job& job, bool quiet);
+
 // Drives the job's path with progress on the terminal.
 DriveResult drive_with_progress(const Job& job, const CommonOptions& options);
 

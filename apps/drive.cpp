@@ -30,8 +30,9 @@ bool same_folder(const fs::path& a, const fs::path& b) {
 }
 
 // Puts the path to drive into the job's folder; tells about the track it comes from, if any.
-std::optional<TrackReport> prepare_path(const Job& job, const fs::path& given, bool from_plan) {
-  if (!from_plan) return given_path_stage(job);
+std::optional<TrackReport> prepare_path(const Job& job, const fs::path& given, bool from_plan,
+                                        bool quiet) {
+  if (!from_plan) return given_path_with_progress(job, quiet);
   if (!same_folder(given, job.folder)) adopt_plan(job, given);
   return std::nullopt;
 }
@@ -75,7 +76,7 @@ int drive(const DriveOptions& options) {
                      "no path to drive: give the folder that 'headland plan' wrote, or --path FILE "
                      "(path.file in the scenario)");
   }
-  const std::optional<TrackReport> track = prepare_path(job, given, from_plan);
+  const std::optional<TrackReport> track = prepare_path(job, given, from_plan, options.common.quiet);
   stop_if_interrupted();
   DriveResult result = drive_with_progress(job, options.common);
   if (options.common.json) {

@@ -18,21 +18,21 @@ namespace headland {
 namespace {
 
 // Makes the path to drive; returns what to tell of it.
-std::string prepare(const Job& job) {
+std::string prepare(const Job& job, bool quiet) {
   if (job.scenario.path_file.empty()) {
-    const PlanResult result = plan_stage(job);
+    const PlanResult result = plan_with_progress(job, quiet);
     warn_of_left_out(job, result);
     return predicted_row(result) + left_out_rows(result.path, field_area_m2(job.stage.field)) +
            path_notes(result.path) + grid_notes(result) + notes_text(result.notes);
   }
-  const std::optional<TrackReport> track = given_path_stage(job);
+  const std::optional<TrackReport> track = given_path_with_progress(job, quiet);
   return track ? track_summary(*track) : "";
 }
 
 int evaluate(const CommonOptions& options) {
   const PictureSize size = picture_size(options);
   const Job job = make_job(options.scenario, options.folder, options);
-  const std::string made = prepare(job);
+  const std::string made = prepare(job, options.quiet);
   stop_if_interrupted();
   const DriveResult result = drive_with_progress(job, options);
   stop_if_interrupted();

@@ -9,6 +9,7 @@
 #include "apps/interrupt.h"
 #include "apps/left_out.h"
 #include "apps/plan_summary.h"
+#include "apps/progress.h"
 #include "apps/summary.h"
 #include "apps/terminal_text.h"
 #include "evaluate/atomic_file.h"
@@ -124,7 +125,8 @@ int run_job(const JobOptions& options) {
   {
     const InterruptAtOnce at_once;
     const JobSpec spec = spec_of(common);
-    plan = plan_job(spec);
+    PlanningLine line(common.quiet);
+    plan = plan_job(spec, line.shown());
     check_coverage_size(plan.stage.field, plan.scenario.working_width_m,
                         plan.scenario.coverage_cell_m, common.scenario);
     audit = audit_of(plan);

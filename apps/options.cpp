@@ -137,6 +137,16 @@ double time_from(const std::string& option, const std::string& text) {
   }
 }
 
+PlanResult plan_with_progress(const Job& job, bool quiet) {
+  PlanningLine line(quiet);
+  return plan_stage(job, line.shown());
+}
+
+std::optional<TrackReport> given_path_with_progress(const Job& job, bool quiet) {
+  PlanningLine line(quiet);
+  return given_path_stage(job, line.shown());
+}
+
 DriveResult drive_with_progress(const Job& job, const CommonOptions& options) {
   ProgressLine line = start_progress(options.quiet);
   const auto on_progress = [&line](const SimulationProgress& progress) {

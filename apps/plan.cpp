@@ -22,7 +22,7 @@ int plan(const CommonOptions& options) {
                      "is driven as it is, there is nothing to plan; 'headland evaluate' drives it");
   }
   const bool had_run = std::filesystem::exists(job.folder / kRunFile);
-  const PlanResult result = plan_stage(job);
+  const PlanResult result = plan_with_progress(job, options.quiet);
   stop_if_interrupted();
   if (had_run && !options.quiet) {
     fmt::print(stderr, "headland: removed what an earlier drive had left in {}\n",

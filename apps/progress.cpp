@@ -62,6 +62,20 @@ void show_count(ProgressLine& line, std::string_view what, int done, int all) {
   std::fflush(stderr);
 }
 
+void show_elapsed(ProgressLine& line, std::string_view what) {
+  const auto wall_s = due_s(line);
+  if (!wall_s || *wall_s < 1.0) return;
+  fmt::print(stderr, "\r\x1b[K  {}   {}", what, duration_text(*wall_s));
+  std::fflush(stderr);
+}
+
+CancelAsked PlanningLine::shown() {
+  return [this] {
+    show_elapsed(line_, "planning");
+    return false;
+  };
+}
+
 void end_progress(const ProgressLine& line) {
   if (line.shown) fmt::print(stderr, "\r\x1b[K");
 }

@@ -54,9 +54,9 @@ void remove_file(const std::filesystem::path& file) {
 
 }  // namespace
 
-PlanResult plan_stage(const Job& job) {
+PlanResult plan_stage(const Job& job, const CancelAsked& cancelled) {
   const PlanResult result =
-      fitted(job.scenario.file, [&] { return plan_scenario(job.scenario, job.stage); });
+      fitted(job.scenario.file, [&] { return plan_scenario(job.scenario, job.stage, cancelled); });
   const GeoFrame& frame = job.stage.field.frame;
   std::vector<FileText> files = {{kScenarioFile, scenario_yaml(job.scenario)},
                                  {kPlanFile, plan_geojson(result.plan, frame)},
@@ -72,7 +72,7 @@ PlanResult plan_stage(const Job& job) {
   return result;
 }
 
-std::optional<TrackReport> given_path_stage(const Job& job) {
+std::optional<TrackReport> given_path_stage(const Job& job, const CancelAsked& cancelled) {
   const std::filesystem::path& file = job.scenario.path_file;
   require_no_result(job.folder, file);
   std::string path_text;
@@ -84,7 +84,8 @@ std::optional<TrackReport> given_path_stage(const Job& job) {
   } else {
     const Path path = fitted(file, [&] {
       return make_drivable(job.stage.field, job.stage.vehicle, read_track(file, job.stage.field),
-                           job.scenario.path_tolerance_m, job.scenario.path, &report.emplace());
+                           job.scenario.path_tolerance_m, job.scenario.path, &report.emplace(),
+                           cancelled);
     });
     path_text = path_geojson(path, job.stage.field.frame);
   }

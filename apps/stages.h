@@ -39,13 +39,13 @@ struct DriveResult {
 // Plans the field and makes the plan drivable. Writes scenario.yaml, plan.geojson, path.geojson
 // and, of planners on grid maps, grid_plan.json.
 // Throws PlanInfeasible, and Interrupted after Ctrl-C: nothing is written then.
-PlanResult plan_stage(const Job& job);
+PlanResult plan_stage(const Job& job, const CancelAsked& cancelled = {});
 
 // Takes the scenario's path_file instead of planning: a path that headland wrote as it is, anything
 // else made drivable, and then tells what that took. Writes scenario.yaml and path.geojson. Throws
 // InputError and PlanInfeasible naming the file, and Interrupted after Ctrl-C: nothing is written
 // then.
-std::optional<TrackReport> given_path_stage(const Job& job);
+std::optional<TrackReport> given_path_stage(const Job& job, const CancelAsked& cancelled = {});
 
 // Copies the plan and path that `plan` wrote into folder `from` to the job's folder. Throws
 // InputError as read_path does: nothing is written then.
