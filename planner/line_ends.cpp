@@ -131,10 +131,13 @@ std::vector<double> make_room_for_turns(const Plan& plan, const Field& field,
     if (from.optional || to.optional) continue;
     const double end_m = allowance(plan.passes[i], inside_headland, options.radius_m).end_m;
     const auto work = [&](std::size_t first, std::size_t last) {
-      if (worked != nullptr) work_rows(*worked, from, first, last, vehicle);
+      return worked != nullptr ? work_rows(*worked, from, first, last, vehicle)
+                               : std::vector<std::size_t>{};
     };
     const std::size_t tail = from.points.size() - 1 - tail_edges(from, vehicle, 0.0);
-    work(0, tail);
+    const std::size_t kept = from.points.size() - 1 - tail_edges(from, vehicle, end_m);
+    work(0, kept);
+    const std::vector<std::size_t> may_be_cut = work(kept, tail);
     const auto work_tail = [&] { work(tail, from.points.size() - 1); };
     if (auto arcs = connect_by_turn(space, pose_of(from.points.back()), pose_of(to.points.front()),
                                     options)) {
@@ -148,8 +151,7 @@ std::vector<double> make_room_for_turns(const Plan& plan, const Field& field,
       continue;
     }
     // Where the line is cut back no row has been worked.
-    const std::size_t kept = from.points.size() - 1 - tail_edges(from, vehicle, end_m);
-    if (worked != nullptr) unwork_rows(*worked, from, kept, tail, vehicle);
+    if (worked != nullptr) unwork(*worked, may_be_cut);
     const double begin_m = allowance(plan.passes[i + 1], inside_headland, options.radius_m).begin_m;
     const std::vector<double> cut = cut_back(from, end_m, to, begin_m, space, options);
     cuts.insert(cuts.end(), cut.begin(), cut.end());

@@ -89,13 +89,14 @@ Quadrangle between_bars(const Vector2d& from_W, const Vector2d& to_W, const Vect
   return {from_W + half_bar_from, from_W - half_bar_from, to_W - half_bar_to, to_W + half_bar_to};
 }
 
-double work(WorkedGround& ground, const Quadrangle& quadrangle) {
+double work(WorkedGround& ground, const Quadrangle& quadrangle, std::vector<std::size_t>* newly) {
   add_loop(ground, quadrangle);
   std::size_t count = 0;
   visit_inside(ground, [&](GroundState& state) {
     if (state != GroundState::kToWork) return;
     state = GroundState::kWorked;
     ++count;
+    if (newly != nullptr) newly->push_back(static_cast<std::size_t>(&state - ground.cells.data()));
   });
   return static_cast<double>(count) * ground.cell_m * ground.cell_m;
 }
@@ -128,11 +129,8 @@ double work_along(WorkedGround& ground, const std::vector<Vector2d>& line_W, dou
   return sum_m2;
 }
 
-void unwork(WorkedGround& ground, const Quadrangle& quadrangle) {
-  add_loop(ground, quadrangle);
-  visit_inside(ground, [](GroundState& state) {
-    if (state == GroundState::kWorked) state = GroundState::kToWork;
-  });
+void unwork(WorkedGround& ground, const std::vector<std::size_t>& cells) {
+  for (const std::size_t cell : cells) ground.cells[cell] = GroundState::kToWork;
 }
 
 void leave_to_work(WorkedGround& ground, const PolygonSet& set) {

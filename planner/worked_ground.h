@@ -51,8 +51,9 @@ Quadrangle between_bars(const Eigen::Vector2d& from_W, const Eigen::Vector2d& to
                         const Eigen::Vector2d& half_bar_from, const Eigen::Vector2d& half_bar_to);
 
 // Works the cells in it; the area [m2] that was still to be worked. What sticks out of the raster
-// is left out.
-double work(WorkedGround& ground, const Quadrangle& quadrangle);
+// is left out. Cells that were still to be worked are added to `newly`, if given.
+double work(WorkedGround& ground, const Quadrangle& quadrangle,
+            std::vector<std::size_t>* newly = nullptr);
 // That area alone.
 double to_work_m2(WorkedGround& ground, const Quadrangle& quadrangle);
 
@@ -62,8 +63,8 @@ double to_work_m2(const WorkedGround& ground);
 // What a bar of `width_m` covers when its middle is pulled along `line_W`, square to it.
 double work_along(WorkedGround& ground, const std::vector<Eigen::Vector2d>& line_W, double width_m);
 
-// Takes it back: cells in it are to be worked again.
-void unwork(WorkedGround& ground, const Quadrangle& quadrangle);
+// These cells are to be worked again.
+void unwork(WorkedGround& ground, const std::vector<std::size_t>& cells);
 
 // Takes all ground outside the set for worked.
 void leave_to_work(WorkedGround& ground, const PolygonSet& set);

@@ -28,15 +28,6 @@ Quadrangle row_between(const Pose& from, const Pose& to, const Vehicle& vehicle)
                       half_m * left_of(to.heading_rad));
 }
 
-template <typename Each>  // void(const Quadrangle&)
-void visit_rows(const WorkLine& line, std::size_t from, std::size_t to, const Vehicle& vehicle,
-                Each each) {
-  if (line.kind != PathKind::kSwath || line.optional) return;
-  for (std::size_t i = std::max(from, line.run_in); i < to; ++i) {
-    each(row_between(pose_of(line.points[i]), pose_of(line.points[i + 1]), vehicle));
-  }
-}
-
 // Rows behind a vehicle at work: the last stretch becomes one when the next row begins.
 struct RowsBehind {
   WorkedGround& ground;
@@ -63,14 +54,15 @@ struct RowsBehind {
 
 }  // namespace
 
-void work_rows(WorkedGround& ground, const WorkLine& line, std::size_t from, std::size_t to,
-               const Vehicle& vehicle) {
-  visit_rows(line, from, to, vehicle, [&](const Quadrangle& row) { work(ground, row); });
-}
-
-void unwork_rows(WorkedGround& ground, const WorkLine& line, std::size_t from, std::size_t to,
-                 const Vehicle& vehicle) {
-  visit_rows(line, from, to, vehicle, [&](const Quadrangle& row) { unwork(ground, row); });
+std::vector<std::size_t> work_rows(WorkedGround& ground, const WorkLine& line, std::size_t from,
+                                   std::size_t to, const Vehicle& vehicle) {
+  std::vector<std::size_t> newly;
+  if (line.kind != PathKind::kSwath || line.optional) return newly;
+  for (std::size_t i = std::max(from, line.run_in); i < to; ++i) {
+    work(ground, row_between(pose_of(line.points[i]), pose_of(line.points[i + 1]), vehicle),
+         &newly);
+  }
+  return newly;
 }
 
 std::size_t tail_edges(const WorkLine& line, const Vehicle& vehicle, double cut_m) {

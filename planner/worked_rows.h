@@ -18,13 +18,10 @@ namespace headland {
 inline constexpr double kRowShare = 0.8;
 
 // Works the rows of `line` from edge `from` to edge `to` of its points, run-ins left out; nothing
-// of lines that are no swaths or `optional`.
-void work_rows(WorkedGround& ground, const WorkLine& line, std::size_t from, std::size_t to,
-               const Vehicle& vehicle);
-
-// Takes them back; rows do not overlap.
-void unwork_rows(WorkedGround& ground, const WorkLine& line, std::size_t from, std::size_t to,
-                 const Vehicle& vehicle);
+// of lines that are no swaths or `optional`. The cells that no row had worked before: unwork
+// (worked_ground.h) takes them back.
+std::vector<std::size_t> work_rows(WorkedGround& ground, const WorkLine& line, std::size_t from,
+                                   std::size_t to, const Vehicle& vehicle);
 
 // So many edges at the end of a swath are no row yet for the turn that begins there: wheels that
 // stand behind the implement stand on them, and swath ends may be cut back by `cut_m`.

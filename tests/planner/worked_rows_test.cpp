@@ -54,6 +54,22 @@ TEST(DrivenOverWorked, CrossingARowIsMeasured) {
   EXPECT_NEAR(over.p_W.x(), 30.0, 0.01);
 }
 
+// Rows of neighbouring parts of a field may cross.
+TEST(WorkRows, TakenBackLeaveWhatOtherRowsHaveWorked) {
+  const Vehicle vehicle = wheeled_vehicle();
+  WorkedGround ground = ground_to_work(rows_field());
+  WorkLine along;
+  along.points = straight_segment(PathKind::kSwath, true, {10, 20}, {50, 20}).points;
+  WorkLine across;
+  across.points = straight_segment(PathKind::kSwath, true, {30, 40}, {30, 10}).points;
+  EXPECT_FALSE(work_rows(ground, along, 0, along.points.size() - 1, vehicle).empty());
+  const auto newly = work_rows(ground, across, 0, across.points.size() - 1, vehicle);
+  EXPECT_EQ(state_at(ground, {30, 30}), GroundState::kWorked);
+  unwork(ground, newly);
+  EXPECT_EQ(state_at(ground, {30, 30}), GroundState::kToWork);
+  EXPECT_EQ(state_at(ground, {30, 20}), GroundState::kWorked);
+}
+
 TEST(DrivenOverWorked, WorkItselfHeadlandAndWhatComesBeforeAreNot) {
   const Vehicle vehicle = wheeled_vehicle();
   Path path;
