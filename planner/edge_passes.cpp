@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 
 // The filter rounds a corner of kSharpCorner_rad to 1.14 turning radii and tightens an arc by 2 %.
 constexpr double kSigmaPerRadius = 0.2;
-constexpr double kRadiusMargin = 1.05;
+constexpr double kPassRadiusMargin = 1.05;
 // Corners are told by what a ring turns within this much of it [turning radii].
 constexpr double kCornerWindow = 0.8;
 constexpr double kShortestEdge_m = 1.0;  // pass
@@ -173,7 +173,7 @@ struct Edging {
     return work_line({PassKind::kHeadlandPass, line}, request.implement_x_B_m);
   }
   bool drivable(const PathPoint& point) const {
-    return std::abs(point.curvature_per_m) <= kRadiusMargin / request.turning_radius_m &&
+    return std::abs(point.curvature_per_m) <= kPassRadiusMargin / request.turning_radius_m &&
            fits(space, pose_of(point), request.clearance_m - 0.5 * kFitTolerance_m) &&
            works_inside(space, pose_of(point), overhang_m);
   }
@@ -343,7 +343,7 @@ std::vector<EdgePass> edge_round(const PlanRequest& request, const FreeSpace& sp
   const double run_on_m =
       request.vehicle_front_m + request.vehicle_rear_m + request.working_width_m + distance_m;
   const Edging edging{request, space, options.overhang_m, options.least_m2, ground};
-  const Rounding rounding{kRadiusMargin * radius_m, kRadiusMargin * radius_m, field,
+  const Rounding rounding{kPassRadiusMargin * radius_m, kPassRadiusMargin * radius_m, field,
                           std::min(distance_m, edge_distance_m(request))};
   const PolygonSet inside =
       passable(buffered(field, -distance_m, Join::kMitre), rounding, request.cancelled);

@@ -38,6 +38,23 @@ std::vector<NarrowEdge> narrow_edges(const PlanRequest& request, const EdgeRound
   return narrow;
 }
 
+// What lies further beyond the field than the implement may work, around it and in its holes.
+PolygonSet beyond_edges(const PlanRequest& request) {
+  const auto overhang = request.parameters.find("overhang_m");
+  const double over_m =
+      kOverEdge_m +
+      (overhang == request.parameters.end() ? 0.0 : std::get<double>(overhang->second));
+  Eigen::AlignedBox2d box;
+  for (const Vector2d& p_W : request.field.boundary) box.extend(p_W);
+  const Vector2d margin = Vector2d::Constant(2.0 * (over_m + request.working_width_m));
+  const Vector2d low_W = box.min() - margin;
+  const Vector2d high_W = box.max() + margin;
+  const PolygonSet around{
+      {PolygonPart{{low_W, {high_W.x(), low_W.y()}, high_W, {low_W.x(), high_W.y()}}, {}}}};
+  const PolygonSet field{{PolygonPart{request.field.boundary, request.field.holes}}};
+  return difference(around, buffered(field, over_m, Join::kMitre));
+}
+
 // Where edges have different numbers of rounds.
 Headland ground_by_edge(const PlanRequest& request, const PolygonSet& field, double first_m,
                         const EdgeRounds& edges, Headland headland) {
@@ -58,12 +75,17 @@ Headland ground_by_edge(const PlanRequest& request, const PolygonSet& field, dou
   zones.push_back(zone_beside(edged, {0, 0}, hull_m - kLeastSpacing * 0.5 * width_m));
   headland.inside = difference(field, united(zones));
   headland.inner = headland.inside;
+  if (headland.least_rounds == 0) headland.beyond = beyond_edges(request);
   return headland;
 }
 
 }  // namespace
 
 bool differs_by_edge(const Headland& headland) { return !headland.edged.ground.parts.empty(); }
+
+SwathGround swath_ground(const Headland& headland) {
+  return {headland.inner, headland.drivable, headland.beyond};
+}
 
 Headland headland_ground(const PlanRequest& request, const PolygonSet& field, int rounds,
                          double first_m) {

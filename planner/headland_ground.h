@@ -7,6 +7,7 @@
 #include "planner/headland_round.h"
 #include "planner/plan.h"
 #include "planner/polygon.h"
+#include "planner/swaths.h"
 
 namespace headland {
 
@@ -17,6 +18,7 @@ struct Headland {
   std::vector<HeadlandRing> rings;  // by round; within a round as GEOS gives them
   PolygonSet inner;                 // ground left for swaths
   PolygonSet drivable;             // where the middle of a swath may run: implement and hull inside
+  PolygonSet beyond;               // where edges have no headland: what the implement may not work
   std::vector<PlannedEdge> edges;  // all, where the request names some
   // Where edges have different numbers of rounds:
   PolygonSet inside;  // ground without headland
@@ -25,6 +27,13 @@ struct Headland {
 };
 
 bool differs_by_edge(const Headland& headland);
+
+// What swaths are laid on.
+SwathGround swath_ground(const Headland& headland);
+
+// The implement works no further than this beyond an edge without headland [m]: outlines are drawn
+// with such errors, and swaths along them are not to be cut for these.
+inline constexpr double kOverEdge_m = 0.1;
 
 // The ground, without rings, of `rounds` along all edges of `field` (from_field), the outermost
 // `first_m` from them. Edges that the request names have their own number of rounds, unless that

@@ -65,14 +65,14 @@ int ends_without_room(const SwathGrid& grid, const std::vector<NarrowEdge>& narr
 }  // namespace
 
 SwathGridCost with_room_to_turn(SwathGridCost cost, std::vector<NarrowEdge> narrow, double width_m,
-                                const PolygonSet& drivable) {
+                                const SwathGround& ground) {
   if (narrow.empty()) return cost;
-  return [cost = std::move(cost), narrow = std::move(narrow), width_m,
-          drivable](const SwathGrid& grid) {
-    const double unworked_m = length_m(grid) - length_m(kept_within(grid, drivable));
-    return cost(grid) + kUnworkedCost * unworked_m +
-           kNoRoomCost * ends_without_room(grid, narrow, width_m);
-  };
+  return
+      [cost = std::move(cost), narrow = std::move(narrow), width_m, ground](const SwathGrid& grid) {
+        const double unworked_m = length_m(grid) - length_m(kept_within(grid, ground, width_m));
+        return cost(grid) + kUnworkedCost * unworked_m +
+               kNoRoomCost * ends_without_room(grid, narrow, width_m);
+      };
 }
 
 SwathGridCost length_and_turns(double turn_m) {

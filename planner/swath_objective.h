@@ -28,9 +28,9 @@ inline constexpr double kMostEnergySteps = 2e4;
 
 // `cost`, and kNoRoomCost for every end of a swath that runs into an edge that is too narrow for
 // turning, not further than a width from its headland, and kUnworkedCost for every metre of swath
-// that leaves `drivable` (kept_within).
+// that is not kept_within the ground.
 SwathGridCost with_room_to_turn(SwathGridCost cost, std::vector<NarrowEdge> narrow, double width_m,
-                                const PolygonSet& drivable);
+                                const SwathGround& ground);
 inline constexpr double kNoRoomCost = 1e6;
 inline constexpr double kUnworkedCost = 10.0;
 

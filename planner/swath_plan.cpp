@@ -32,7 +32,7 @@ constexpr double kGuideStep_m = 0.5;  // between places of an A-B line looked at
 }
 
 SwathGrid swaths_along(const std::array<Vector2d, 2>& line, const PlanRequest& request,
-                       const PolygonSet& inner, const PolygonSet& drivable, double bridge_m) {
+                       const SwathGround& ground, double bridge_m) {
   const Vector2d run = line[1] - line[0];
   if (!(run.norm() >= kShortestGuide_m)) {
     refuse_guide(line, fmt::format("A and B must be {:g} m apart or more", kShortestGuide_m));
@@ -45,7 +45,7 @@ SwathGrid swaths_along(const std::array<Vector2d, 2>& line, const PlanRequest& r
   if (!inside) refuse_guide(line, "lies outside the field; it must lead through it");
   const double direction_rad = line_direction_rad(run);
   const double through_m = left_of(direction_rad).dot(line[0]);
-  return lay_swaths(inner, drivable, direction_rad, request.working_width_m, bridge_m, through_m);
+  return lay_swaths(ground, direction_rad, request.working_width_m, bridge_m, through_m);
 }
 
 bool by_energy(const PlanRequest& request) {
@@ -148,8 +148,8 @@ SwathGridCost objective_of(const PlanRequest& request) {
   return least_energy(*request.cost, request.terrain);
 }
 
-SwathGrid laid_swaths(const PlanRequest& request, const PolygonSet& inner,
-                      const PolygonSet& drivable, const std::vector<NarrowEdge>& narrow) {
+SwathGrid laid_swaths(const PlanRequest& request, const SwathGround& ground,
+                      const std::vector<NarrowEdge>& narrow) {
   const double width_m = request.working_width_m;
   const double turn_m = turn_length_m(width_m, request.turning_radius_m);
   const auto direction_deg = number_unless_word(request.parameters, "swath_direction_deg");
@@ -157,28 +157,28 @@ SwathGrid laid_swaths(const PlanRequest& request, const PolygonSet& inner,
     if (direction_deg) {
       refuse_guide(*request.ab_line_W, "not together with swath_direction_deg");
     }
-    return swaths_along(*request.ab_line_W, request, inner, drivable, turn_m);
+    return swaths_along(*request.ab_line_W, request, ground, turn_m);
   }
   if (direction_deg) {
-    return lay_swaths(inner, drivable, std::fmod(*direction_deg, 180.0) * std::numbers::pi / 180.0,
-                      width_m, turn_m);
+    return lay_swaths(ground, std::fmod(*direction_deg, 180.0) * std::numbers::pi / 180.0, width_m,
+                      turn_m);
   }
-  return best_swaths(request.field, inner, drivable, width_m, turn_m,
-                     swath_cost(request, drivable, narrow), request.cancelled);
+  return best_swaths(request.field, ground, width_m, turn_m, swath_cost(request, ground, narrow),
+                     request.cancelled);
 }
 
 }  // namespace
 
-SwathGridCost swath_cost(const PlanRequest& request, const PolygonSet& drivable,
+SwathGridCost swath_cost(const PlanRequest& request, const SwathGround& ground,
                          const std::vector<NarrowEdge>& narrow) {
-  return with_room_to_turn(objective_of(request), narrow, request.working_width_m, drivable);
+  return with_room_to_turn(objective_of(request), narrow, request.working_width_m, ground);
 }
 
-SwathGrid chosen_swaths(const PlanRequest& request, const PolygonSet& inner,
-                        const PolygonSet& drivable, const std::vector<NarrowEdge>& narrow) {
-  SwathGrid grid = laid_swaths(request, inner, drivable, narrow);
+SwathGrid chosen_swaths(const PlanRequest& request, const SwathGround& ground,
+                        const std::vector<NarrowEdge>& narrow) {
+  SwathGrid grid = laid_swaths(request, ground, narrow);
   // Without a headland only an edge itself ends what swaths reach.
-  return narrow.empty() ? grid : kept_within(grid, drivable);
+  return narrow.empty() ? grid : kept_within(grid, ground, request.working_width_m);
 }
 
 std::vector<SwathCell> patterned_cells(const SwathGrid& grid, const PlanRequest& request) {

@@ -27,11 +27,11 @@ void check_swath_parameters(const Parameters& parameters, const std::string& sou
 // line that does not come into the field, or with a direction besides it, and for energy without
 // costs; PlanInfeasible as lay_swaths; Cancelled. A direction in which swaths run into `narrow`
 // edges is the best one only where all do.
-SwathGrid chosen_swaths(const PlanRequest& request, const PolygonSet& inner,
-                        const PolygonSet& drivable, const std::vector<NarrowEdge>& narrow = {});
+SwathGrid chosen_swaths(const PlanRequest& request, const SwathGround& ground,
+                        const std::vector<NarrowEdge>& narrow = {});
 
 // What that direction is best by.
-SwathGridCost swath_cost(const PlanRequest& request, const PolygonSet& drivable,
+SwathGridCost swath_cost(const PlanRequest& request, const SwathGround& ground,
                          const std::vector<NarrowEdge>& narrow);
 
 // Cells of the grid with their swaths in the sequence of `swath_order` (of `optimised`: as they

@@ -41,20 +41,28 @@ double length_m(const SwathGrid& grid);
 // w + (pi - 2) R where w >= 2 R, else three-point turn (pi + 2) R - w.
 double turn_length_m(double width_m, double turning_radius_m);
 
-// Covers `inner` with strips of width_m. As many lines as the width needs, spread evenly: what is
-// left over of the last strip becomes an equal overlap of all, which tracking errors use up before
-// they leave gaps. A swath reaches as far as the ground anywhere across its strip does, not just on
-// its middle line, so slanted ends are covered. Swaths on one line are joined where the gap is at
-// most bridge_m and the line between them runs in `drivable`. With `through_m` one line, there or
-// extended, lies at that distance to the left of the origin of W, and lines are width_m apart:
-// those of a guidance line. Throws PlanInfeasible for more than kMaxSwathLines lines.
-SwathGrid lay_swaths(const PolygonSet& inner, const PolygonSet& drivable, double direction_rad,
-                     double width_m, double bridge_m,
-                     std::optional<double> through_m = std::nullopt);
+// Ground that swaths are laid on.
+struct SwathGround {
+  PolygonSet inner{};     // to be covered
+  PolygonSet drivable{};  // where the middle of a swath may run
+  PolygonSet beyond{};    // what no implement may work; empty where none gets there
+};
 
-// Swaths as far as the middle of each runs in `drivable`; pieces shorter than kLeastKept_m are left
-// out.
-SwathGrid kept_within(const SwathGrid& grid, const PolygonSet& drivable);
+// Covers ground.inner with strips of width_m. As many lines as the width needs, spread evenly: what
+// is left over of the last strip becomes an equal overlap of all, which tracking errors use up
+// before they leave gaps. A swath reaches as far as the ground anywhere across its strip does, not
+// just on its middle line, so slanted ends are covered. Swaths on one line are joined where the gap
+// is at most bridge_m and the line between them runs in ground.drivable. With `through_m` one line,
+// there or extended, lies at that distance to the left of the origin of W, and lines are width_m
+// apart: those of a guidance line. Without it the first and the last strip are laid flush with the
+// outermost ground, and all overlap is between lines, where that keeps them off ground.beyond.
+// Throws PlanInfeasible for more than kMaxSwathLines lines.
+SwathGrid lay_swaths(const SwathGround& ground, double direction_rad, double width_m,
+                     double bridge_m, std::optional<double> through_m = std::nullopt);
+
+// Swaths as far as the middle of each runs in ground.drivable and a strip of width_m keeps off
+// ground.beyond; pieces shorter than kLeastKept_m are left out.
+SwathGrid kept_within(const SwathGrid& grid, const SwathGround& ground, double width_m);
 inline constexpr double kLeastKept_m = 2.0;
 
 // What a grid of swaths costs, less being better (swath_objective.h).
@@ -62,8 +70,8 @@ using SwathGridCost = std::function<double(const SwathGrid&)>;
 
 // The grid of least cost, over the directions of all edges of the field (longest first) and
 // kDirectionGrid_deg steps from the longest. Of equal ones the first. Throws Cancelled.
-SwathGrid best_swaths(const Field& field, const PolygonSet& inner, const PolygonSet& drivable,
-                      double width_m, double bridge_m, const SwathGridCost& cost,
+SwathGrid best_swaths(const Field& field, const SwathGround& ground, double width_m,
+                      double bridge_m, const SwathGridCost& cost,
                       const CancelAsked& cancelled = {});
 
 }  // namespace headland

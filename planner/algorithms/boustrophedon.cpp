@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "planner/edge_filling.h"
 #include "planner/edge_passes.h"
 #include "planner/fill_passes.h"
 #include "planner/free_space.h"
@@ -107,7 +108,7 @@ Plan plan_whole(const PlanRequest& request, int rounds) {
   for (int round = 0; round < headland.rounds; ++round) {
     append_round(request, space, field, first_m + round * width_m, round, headland, ground, edges);
   }
-  const SwathGrid grid = chosen_swaths(request, headland.inner, headland.drivable, headland.narrow);
+  const SwathGrid grid = chosen_swaths(request, swath_ground(headland), headland.narrow);
   Plan plan = plan_along(grid, headland, request);
   for (const Swath& swath : grid.swaths) {
     work_along(ground,
@@ -169,10 +170,12 @@ Plan plan_boustrophedon(const PlanRequest& asked_for) {
   const int rounds = asked_rounds(request);
   if (covers_corners(request.parameters)) return plan_whole(request, rounds);
   const Headland headland = make_headland(request, rounds);
-  const SwathGrid grid = chosen_swaths(request, headland.inner, headland.drivable, headland.narrow);
+  const SwathGrid grid = chosen_swaths(request, swath_ground(headland), headland.narrow);
   Plan plan = plan_along(grid, headland, request);
   append_rings_before(headland, request, plan.passes);
-  append_swaths(grid, request, plan.passes);
+  append_swaths_and_beside(
+      request, headland, {&grid, 1},
+      [&](std::vector<Pass>& passes) { append_swaths(grid, request, passes); }, plan.passes);
   append_rings_after(headland, request, plan.passes);
   for (const Pass& pass : plan.passes) plan.planned_length_m += length_m(pass.points_W);
   return plan;

@@ -7,6 +7,7 @@
 
 #include "planner/algorithms/region_exact.h"
 #include "planner/algorithms/region_local_search.h"
+#include "planner/edge_filling.h"
 #include "planner/headland_order.h"
 #include "planner/headland_rings.h"
 #include "planner/line_energy.h"
@@ -54,9 +55,9 @@ std::vector<PolygonSet> parts_of(const PolygonSet& ground, const PlanRequest& re
 
 // Swaths of each part in its own direction, or of all of them in one where that costs no more.
 std::vector<SwathGrid> grids_of(const PlanRequest& request, const Headland& headland) {
-  const SwathGridCost cost = swath_cost(request, headland.drivable, headland.narrow);
-  std::vector<SwathGrid> whole{
-      chosen_swaths(request, headland.inner, headland.drivable, headland.narrow)};
+  SwathGround ground = swath_ground(headland);
+  const SwathGridCost cost = swath_cost(request, ground, headland.narrow);
+  std::vector<SwathGrid> whole{chosen_swaths(request, ground, headland.narrow)};
   const bool given =
       request.ab_line_W || number_unless_word(request.parameters, "swath_direction_deg");
   if (given || headland.inner.parts.empty()) return whole;
@@ -64,9 +65,10 @@ std::vector<SwathGrid> grids_of(const PlanRequest& request, const Headland& head
   double sum = 0.0;
   PlanRequest for_part = request;
   for (const PolygonSet& part : parts_of(headland.inner, request)) {
+    ground.inner = part;
     for_part.field.boundary = part.parts.front().outer;  // whose edges are directions to try
     for_part.field.holes = part.parts.front().holes;
-    grids.push_back(chosen_swaths(for_part, part, headland.drivable, headland.narrow));
+    grids.push_back(chosen_swaths(for_part, ground, headland.narrow));
     sum += cost(grids.back());
   }
   return sum < cost(whole.front()) ? grids : whole;
@@ -174,7 +176,9 @@ Plan plan_decomposed(const PlanRequest& asked_for) {
     }
   }
   append_rings_before(headland, request, plan.passes);
-  append_pieces(grids, request, plan.passes);
+  append_swaths_and_beside(
+      request, headland, grids,
+      [&](std::vector<Pass>& passes) { append_pieces(grids, request, passes); }, plan.passes);
   append_rings_after(headland, request, plan.passes);
   for (const Pass& pass : plan.passes) plan.planned_length_m += length_m(pass.points_W);
   return plan;

@@ -17,7 +17,7 @@ SwathGrid with_holes(const std::vector<Ring>& holes) {
   Field field = field_of("f", rectangle_ring(0, 0, 200, 100));
   for (const Ring& hole : holes) field.holes.push_back(reversed(hole));
   const PolygonSet inner = from_field(field);
-  return lay_swaths(inner, inner, 0.0, 5.0, 0.0);
+  return lay_swaths({inner, inner}, 0.0, 5.0, 0.0);
 }
 
 TEST(SwathCells, OneHoleMakesFourCellsAndTwoMakeSeven) {

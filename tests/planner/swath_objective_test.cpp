@@ -14,7 +14,7 @@ PolygonSet ground_of(const Field& field) { return from_field(field); }
 
 SwathGrid best(const Field& field, double width_m, const SwathGridCost& cost) {
   const PolygonSet ground = ground_of(field);
-  return best_swaths(field, ground, ground, width_m, 0.0, cost);
+  return best_swaths(field, {ground, ground}, width_m, 0.0, cost);
 }
 
 // A plane that rises to the east by `slope`.
@@ -74,7 +74,7 @@ TEST(SwathObjective, EnergyIsWhatTheTableSays) {
   cost.working.across_wh_per_m = 0.0;
   const Heightfield terrain = rising_east(0.1);
   const PolygonSet ground = ground_of(field_of("square", rectangle_ring(0, 0, 120, 120)));
-  const SwathGrid grid = lay_swaths(ground, ground, 0.0, 6.0, 0.0);
+  const SwathGrid grid = lay_swaths({ground, ground}, 0.0, 6.0, 0.0);
   const double turn_wh = energy_wh(cost, cheapest_row_turn(cost, 6.0));
   EXPECT_NEAR(least_energy(cost, &terrain)(grid), 20.0 * (120.0 * 1.1 + turn_wh), 1e-3);
   EXPECT_NEAR(least_energy(cost, nullptr)(grid), 20.0 * (120.0 * 1.0 + turn_wh), 1e-9);

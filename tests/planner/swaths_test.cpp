@@ -21,7 +21,7 @@ constexpr double kEdge_m = 2e-3;
 PolygonSet swath_ground(const Ring& outer) { return {{PolygonPart{outer, {}}}}; }
 
 SwathGrid lay(const PolygonSet& inner, double direction_rad, double width_m) {
-  return lay_swaths(inner, inner, direction_rad, width_m, 0.0);
+  return lay_swaths({inner, inner}, direction_rad, width_m, 0.0);
 }
 
 PolygonSet strips(const SwathGrid& grid, double width_m) {
@@ -74,9 +74,9 @@ TEST(Swaths, ShortGapsThatCanBeDrivenAreBridged) {
   inner.parts.push_back(inner.parts[0]);
   for (Eigen::Vector2d& p_W : inner.parts[1].outer) p_W.x() += 105.0;
   const PolygonSet open = swath_ground(rectangle_ring(-5, -5, 210, 15));
-  EXPECT_EQ(lay_swaths(inner, open, 0.0, 10.0, 6.0).swaths.size(), 1U);
-  EXPECT_EQ(lay_swaths(inner, open, 0.0, 10.0, 4.0).swaths.size(), 2U);
-  EXPECT_EQ(lay_swaths(inner, inner, 0.0, 10.0, 6.0).swaths.size(), 2U) << "not drivable";
+  EXPECT_EQ(lay_swaths({inner, open}, 0.0, 10.0, 6.0).swaths.size(), 1U);
+  EXPECT_EQ(lay_swaths({inner, open}, 0.0, 10.0, 4.0).swaths.size(), 2U);
+  EXPECT_EQ(lay_swaths({inner, inner}, 0.0, 10.0, 6.0).swaths.size(), 2U) << "not drivable";
 }
 
 TEST(Swaths, StripsCoverAnyGroundInAnyDirection) {
@@ -99,7 +99,7 @@ TEST(Swaths, BestDirectionOfARectangleIsItsLongSide) {
   const Field field = moved(field_of("r", rectangle_ring(0, 0, 200, 70)), 0.47, {30.0, -12.0});
   const PolygonSet inner = from_field(field);
   const SwathGrid grid =
-      best_swaths(field, inner, inner, 9.0, 0.0, length_and_turns(turn_length_m(9.0, 5.0)));
+      best_swaths(field, {inner, inner}, 9.0, 0.0, length_and_turns(turn_length_m(9.0, 5.0)));
   EXPECT_NEAR(grid.direction_rad, 0.47, 1e-9);
   EXPECT_EQ(grid.lines, 8);
 }
@@ -111,11 +111,11 @@ TEST(Swaths, BestDirectionBeatsEveryOtherByItsOwnCost) {
   const auto cost_m = [&](const SwathGrid& grid) {
     return length_m(grid) + turn_m * static_cast<double>(grid.swaths.size());
   };
-  const double best_m = cost_m(best_swaths(field, inner, inner, 9.0, turn_m, cost_m));
+  const double best_m = cost_m(best_swaths(field, {inner, inner}, 9.0, turn_m, cost_m));
   // The grid of directions tried turns with the field; between two of its steps the cost may be
   // lower by the part of a swath that half a degree saves.
   for (double angle_rad = 0.0; angle_rad < pi; angle_rad += 0.05) {
-    EXPECT_LE(best_m, 1.005 * cost_m(lay_swaths(inner, inner, angle_rad, 9.0, turn_m)));
+    EXPECT_LE(best_m, 1.005 * cost_m(lay_swaths({inner, inner}, angle_rad, 9.0, turn_m)));
   }
 }
 
