@@ -106,7 +106,8 @@ std::string summary_of(const JobPlan& plan, const Audit& audit,
                         violation.p_W.y(), violation.what);
   }
   for (const std::string& note : plan.stage.notes) text += "note: " + terminal_text(note) + "\n";
-  return text + left_out_rows(plan.path, fields_m2(plan)) + path_notes(plan.path);
+  return text + left_out_rows(plan.path, fields_m2(plan)) +
+         over_worked_row(plan.stage, plan.path) + path_notes(plan.path);
 }
 
 JobSpec spec_of(const CommonOptions& options) {

@@ -91,16 +91,16 @@ std::string work_rows(const Job& job, const PlanResult& result) {
          left_out_rows(result.path, field_area_m2(job.stage.field));
 }
 
-std::string over_worked_row(const Job& job, const PlanResult& result) {
-  const DrivenOverWorked over = driven_over_worked(job.stage.field, job.stage.vehicle, result.path);
+}  // namespace
+
+std::string over_worked_row(const Stage& stage, const Path& path) {
+  const DrivenOverWorked over = driven_over_worked(stage.field, stage.vehicle, path);
   if (over.stretches == 0) return "";
   return summary_row(
       "over worked rows", fmt::format("{:.0f} m", over.length_m),
       fmt::format("implement up, in {} place{}, the longest from x {:.1f}, y {:.1f} m",
                   over.stretches, over.stretches == 1 ? "" : "s", over.p_W.x(), over.p_W.y()));
 }
-
-}  // namespace
 
 std::string predicted_row(const PlanResult& result) {
   if (!result.predicted) return "";
@@ -174,7 +174,7 @@ std::string plan_summary(const Job& job, const PlanResult& result) {
     text += summary_row(fmt::format("{} x {}", count, path_kind_name(kind)),
                         fmt::format("{:.0f} m", length_of_m(result.path, kind)));
   }
-  text += over_worked_row(job, result) + path_notes(result.path) + grid_notes(result) +
+  text += over_worked_row(job.stage, result.path) + path_notes(result.path) + grid_notes(result) +
           notes_text(job.stage.notes) + notes_text(result.notes);
   for (const PathViolation& violation : result.path.violations) {
     text += fmt::format("  does not fit at x {:.1f}, y {:.1f} m: {}\n", violation.p_W.x(),

@@ -19,6 +19,9 @@ std::string predicted_row(const PlanResult& result);
 // to say.
 std::string path_notes(const Path& path);
 
+// How far wheels run over rows that are worked, implement up; empty where they do not.
+std::string over_worked_row(const Stage& stage, const Path& path);
+
 // Lines on the cells of a grid plan that cannot be worked; empty for other plans.
 std::string grid_notes(const PlanResult& result);
 

@@ -15,6 +15,7 @@
 #include "planner/planners.h"
 #include "planner/transit.h"
 #include "planner/visit_order.h"
+#include "planner/worked_rows.h"
 #include "sim/route.h"
 #include "terrains/input_error.h"
 
@@ -155,6 +156,7 @@ void append(const Path& more, JobPart part, std::size_t first_pass, JobPlan& mad
     violation.manoeuvre += last + 1;
     made.path.violations.push_back(std::move(violation));
   }
+  made.path.abrupt_turns += more.abrupt_turns;
   made.path.cut_back_m.insert(made.path.cut_back_m.end(), more.cut_back_m.begin(),
                               more.cut_back_m.end());
   made.path.abrupt_turns += more.abrupt_turns;
@@ -259,11 +261,16 @@ JobPlan plan_job(const JobSpec& job, const CancelAsked& cancelled) {
     request.way_W = way_of(ground, leg);
     made.road_length_m += length_m(request.way_W);
     const PolygonSet road = corridor(ground, request.way_W, reach);
+    std::optional<WorkedGround> rows;
     std::vector<PolygonSet> leaving = {road};
     std::vector<PolygonSet> arriving = {road};
     if (leg.from) {
       request.from = pose_of(paths[*leg.from].segments.back().points.back());
-      leaving.push_back(ground_of(ground.fields[(*visits)[*leg.from].field]));
+      const Field& left = ground.fields[(*visits)[*leg.from].field];
+      leaving.push_back(ground_of(left));
+      if (job.common.path.keep_off_worked) {
+        request.rows = &rows.emplace(rows_behind(left, vehicle, paths[*leg.from]));
+      }
     }
     if (leg.to) {
       request.to = pose_of(paths[*leg.to].segments.front().points.front());

@@ -1,4 +1,5 @@
 #include "evaluate/job_plan.h"
+#include "planner/worked_rows.h"
 
 namespace headland {
 namespace {
@@ -71,6 +72,9 @@ Json job_json(const JobPlan& job, const std::vector<JobPartRun>& runs, const std
     json["totals"][kind == 0 ? "fields" : "transits"] = std::move(sum);
   }
   json["left_out_m2"] = left_out_m2(job.path);
+  json["over_worked_rows_m"] =
+      driven_over_worked(job.stage.field, job.stage.vehicle, job.path).length_m;
+  json["abrupt_turns"] = job.path.abrupt_turns;
   json["violations"] = job.path.violations.size();
   json["notes"] = job.stage.notes;
   return json;

@@ -141,6 +141,45 @@ double ramped_radius_m(double radius_m, double sharpness_per_m2) {
   return (end.p_W + radius_m * left_of(end.heading_rad)).norm();
 }
 
+std::vector<Arc> with_ramps(const std::vector<Arc>& arcs, double sharpness_per_m2) {
+  std::vector<Arc> ramped = arcs;
+  const auto is_line = [&](std::size_t i) {
+    return i < arcs.size() && arcs[i].curvature_per_m == 0.0 && arcs[i].sharpness_per_m2 == 0.0;
+  };
+  std::vector<std::vector<Arc>> bends(arcs.size());  // in place of arcs
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const double turn_rad = std::abs(arcs[i].length_m * arcs[i].curvature_per_m);
+    if (is_line(i) || i == 0 || !is_line(i - 1) || !is_line(i + 1)) continue;
+    const double side = arcs[i].curvature_per_m > 0.0 ? 1.0 : -1.0;
+    const double curvature_per_m =
+        std::min(std::abs(arcs[i].curvature_per_m), std::sqrt(turn_rad * sharpness_per_m2));
+    const double ramp_m = curvature_per_m / sharpness_per_m2;
+    const std::vector<Arc> bend = {
+        {ramp_m, 0.0, Gear::kForward, side * sharpness_per_m2},
+        {std::max(0.0, turn_rad / curvature_per_m - ramp_m), side * curvature_per_m},
+        {ramp_m, side * curvature_per_m, Gear::kForward, -side * sharpness_per_m2}};
+    // From where either bend begins to the corner of the lines.
+    const auto to_corner_m = [&](const std::vector<Arc>& of) {
+      const Pose end = end_of({}, of);
+      return end.p_W.x() - end.p_W.y() / std::tan(end.heading_rad);
+    };
+    const double earlier_m = to_corner_m(bend) - to_corner_m({arcs[i]});
+    if (ramped[i - 1].length_m < earlier_m || ramped[i + 1].length_m < earlier_m) continue;
+    ramped[i - 1].length_m -= earlier_m;
+    ramped[i + 1].length_m -= earlier_m;
+    bends[i] = bend;
+  }
+  std::vector<Arc> result;
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    if (bends[i].empty()) {
+      result.push_back(ramped[i]);
+    } else {
+      result.insert(result.end(), bends[i].begin(), bends[i].end());
+    }
+  }
+  return result;
+}
+
 bool is_continuous(const std::vector<Arc>& arcs) {
   double curvature_per_m = 0.0;
   Gear gear = Gear::kForward;

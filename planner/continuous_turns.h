@@ -28,6 +28,11 @@ inline constexpr double kContinuousEnd = 1e-7;  // m and rad
 // Radius of the circle, in place of one of radius_m, on which an arc with its ramps ends.
 double ramped_radius_m(double radius_m, double sharpness_per_m2);
 
+// Lines and arcs driven forward, as of roads, with every arc between two lines begun and ended in
+// clothoids, where the lines are long enough to begin it earlier: the lines, and where all of it
+// ends, stay. An arc that turns too little for its full curvature gets less.
+std::vector<Arc> with_ramps(const std::vector<Arc>& arcs, double sharpness_per_m2);
+
 // Whether curvature does not jump along the arcs, between passes that are driven straight forward,
 // but where the vehicle stops.
 bool is_continuous(const std::vector<Arc>& arcs);

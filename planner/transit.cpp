@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "planner/connection.h"
+#include "planner/continuous_turns.h"
 #include "planner/free_space.h"
 #include "planner/outline.h"
 #include "planner/track_pieces.h"
@@ -46,6 +47,7 @@ void append(Joining& joining, const Piece& piece, const std::string& what) {
     segment.kind = PathKind::kTransit;
     joining.path.segments.push_back(std::move(segment));
   }
+  if (joining.options.continuous_turns && !is_continuous(piece.arcs)) ++joining.path.abrupt_turns;
 }
 
 // The arcs that lead from pose to pose, which must be where they are to the last digit.
@@ -54,9 +56,17 @@ void append_connection(Joining& joining, const FreeSpace& space, const Pose& fro
   const double clearance_m = clearance_between(space, from, to, joining.options.clearance_m);
   std::optional<std::vector<Arc>> arcs;
   if (clearance_m >= -kFitTolerance_m) {
-    arcs = connect(space, from, to,
-                   {planning_turning_radius_m(joining.vehicle), clearance_m, joining.cancelled},
-                   joining.nodes);
+    ConnectionOptions options{planning_turning_radius_m(joining.vehicle), clearance_m,
+                              joining.cancelled};
+    if (joining.options.continuous_turns) {
+      options.sharpness_per_m2 = turning_sharpness_per_m2(joining.vehicle);
+    }
+    arcs = connect(space, from, to, options, joining.nodes);
+    if (!arcs && space.worked != nullptr) {
+      FreeSpace over_rows = space;
+      over_rows.worked = nullptr;
+      arcs = connect(over_rows, from, to, options, joining.nodes);
+    }
   }
   if (!arcs) {
     if (!joining.options.allow_overrun) {
@@ -81,7 +91,8 @@ Path transit_path(const TransitRequest& request, const Vehicle& vehicle, const P
                   const CancelAsked& cancelled) {
   Joining joining{vehicle, options, cancelled, request.road.frame};
   const Hull hull = hull_of(vehicle);
-  const FreeSpace leaving = free_space(simplified(request.leaving), hull);
+  FreeSpace leaving = free_space(simplified(request.leaving), hull);
+  leaving.worked = request.rows;
   const FreeSpace arriving = free_space(simplified(request.arriving), hull);
   std::vector<TrackPiece> pieces;
   if (length_m(request.way_W) >= kLeastRoad_m) {
@@ -89,6 +100,10 @@ Path transit_path(const TransitRequest& request, const Vehicle& vehicle, const P
     track.points_W = request.way_W;
     pieces =
         track_pieces(track, 2.0 * kRoadTolerance_m, planning_turning_radius_m(vehicle), 0.0).pieces;
+    if (options.continuous_turns) {
+      const double sharpness_per_m2 = turning_sharpness_per_m2(vehicle);
+      for (TrackPiece& piece : pieces) piece.arcs = with_ramps(piece.arcs, sharpness_per_m2);
+    }
   }
   if (pieces.empty()) {
     if (request.from && request.to) {

@@ -9,6 +9,7 @@
 #include "planner/cancel.h"
 #include "planner/drivable_path.h"
 #include "planner/polygon.h"
+#include "planner/worked_ground.h"
 #include "terrains/field.h"
 #include "vehicle_models/vehicle.h"
 
@@ -16,6 +17,7 @@ namespace headland {
 
 // Ground is where the hull may be: `leaving` from `from` to the road, `road` along it, `arriving`
 // from there to `to`.
+// Between `from` and the road `rows`, if given, are kept off where a way does so.
 struct TransitRequest {
   std::optional<Pose> from;  // none: the path begins on the road
   std::optional<Pose> to;    // none: it ends there
@@ -23,10 +25,13 @@ struct TransitRequest {
   Field leaving;
   Field road;
   Field arriving;
+  const WorkedGround* rows = nullptr;
 };
 
 // Forwards along the way within kRoadTolerance_m, with corners rounded by the planning radius, the
-// implement up; to and from it by the cheapest turn or route that fits. All segments are of kind
+// implement up; to and from it by the cheapest turn or route that fits. With continuous turns asked
+// for, bends of the road begin and end in clothoids where it is straight before and after; what
+// jumps still is counted in `abrupt_turns`. All segments are of kind
 // transit, of manoeuvre 0, and join. Throws PlanInfeasible with the place where the hull does not
 // fit on the road or no turn fits, unless overruns are allowed, which are then recorded; Cancelled.
 Path transit_path(const TransitRequest& request, const Vehicle& vehicle, const PathOptions& options,

@@ -40,6 +40,12 @@ struct RowsBehind {
     length_m -= tail[1].step_m;
     tail.pop_front();
   }
+  // The place that the vehicle comes to next; `begins` where its way does not go on.
+  void pass(const WorkState& state, bool begins) {
+    if (state.does == WorkState::Does::kDrive) return;
+    if (begins) finish();
+    if (state.does == WorkState::Does::kWork) add(state);
+  }
   void add(const WorkState& state) {
     tail.push_back(state);
     length_m += tail.size() > 1 ? state.step_m : 0.0;
@@ -51,6 +57,28 @@ struct RowsBehind {
     length_m = 0.0;
   }
 };
+
+// Whether work, or driving, begins at a state rather than going on from the one before.
+bool begins_at(const WorkState& state, const WorkState* before) {
+  return before == nullptr || state.does != before->does ||
+         (state.pose.p_W - before->pose.p_W).norm() > state.step_m + kSamePlace_m;
+}
+
+std::vector<WorkState> states_of(const Path& path) {
+  std::vector<WorkState> states;
+  for (const PathSegment& segment : path.segments) {
+    const bool is_row = segment.kind == PathKind::kSwath && !segment.optional;
+    const auto does = !segment.implement_down ? WorkState::Does::kDrive
+                      : is_row                ? WorkState::Does::kWork
+                                              : WorkState::Does::kWorkThatDoesNotCount;
+    for (std::size_t i = 0; i < segment.points.size(); ++i) {
+      const double step_m =
+          i == 0 ? 0.0 : (segment.points[i].p_W - segment.points[i - 1].p_W).norm();
+      states.push_back({pose_of(segment.points[i]), step_m, does});
+    }
+  }
+  return states;
+}
 
 }  // namespace
 
@@ -69,6 +97,18 @@ std::size_t tail_edges(const WorkLine& line, const Vehicle& vehicle, double cut_
   const double spacing_m = (line.points[1].p_W - line.points[0].p_W).norm();
   const auto edges = static_cast<std::size_t>(std::ceil((tail_m(vehicle) + cut_m) / spacing_m));
   return std::min(edges, line.points.size() - 1);
+}
+
+WorkedGround rows_behind(const Field& field, const Vehicle& vehicle, const Path& path) {
+  WorkedGround ground = ground_to_work(field);
+  RowsBehind rows{ground, vehicle};
+  const std::vector<WorkState> states = states_of(path);
+  const WorkState* before = nullptr;
+  for (const WorkState& state : states) {
+    rows.pass(state, begins_at(state, before));
+    before = &state;
+  }
+  return ground;
 }
 
 DrivenOverWorked driven_over_worked(const Field& field, const Vehicle& vehicle,
@@ -92,13 +132,11 @@ DrivenOverWorked driven_over_worked(const Field& field, const Vehicle& vehicle,
   };
   const WorkState* before = nullptr;
   for (const WorkState& state : states) {
-    const bool begins = before == nullptr || state.does != before->does ||
-                        (state.pose.p_W - before->pose.p_W).norm() > state.step_m + kSamePlace_m;
+    const bool begins = begins_at(state, before);
     before = &state;
+    rows.pass(state, begins);
     if (state.does != WorkState::Does::kDrive) {
       end_stretch();
-      if (begins) rows.finish();
-      if (state.does == WorkState::Does::kWork) rows.add(state);
       continue;
     }
     if (begins || keeps_off_worked(wheels, state.pose)) {
@@ -114,19 +152,7 @@ DrivenOverWorked driven_over_worked(const Field& field, const Vehicle& vehicle,
 }
 
 DrivenOverWorked driven_over_worked(const Field& field, const Vehicle& vehicle, const Path& path) {
-  std::vector<WorkState> states;
-  for (const PathSegment& segment : path.segments) {
-    const bool is_row = segment.kind == PathKind::kSwath && !segment.optional;
-    const auto does = !segment.implement_down ? WorkState::Does::kDrive
-                      : is_row                ? WorkState::Does::kWork
-                                              : WorkState::Does::kWorkThatDoesNotCount;
-    for (std::size_t i = 0; i < segment.points.size(); ++i) {
-      const double step_m =
-          i == 0 ? 0.0 : (segment.points[i].p_W - segment.points[i - 1].p_W).norm();
-      states.push_back({pose_of(segment.points[i]), step_m, does});
-    }
-  }
-  return driven_over_worked(field, vehicle, states);
+  return driven_over_worked(field, vehicle, states_of(path));
 }
 
 }  // namespace headland

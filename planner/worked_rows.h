@@ -23,6 +23,10 @@ inline constexpr double kRowShare = 0.8;
 std::vector<std::size_t> work_rows(WorkedGround& ground, const WorkLine& line, std::size_t from,
                                    std::size_t to, const Vehicle& vehicle);
 
+// Rows of the swaths of a path, as a vehicle finds them that stands at its end: what is under its
+// wheels there is none yet.
+WorkedGround rows_behind(const Field& field, const Vehicle& vehicle, const Path& path);
+
 // So many edges at the end of a swath are no row yet for the turn that begins there: wheels that
 // stand behind the implement stand on them, and swath ends may be cut back by `cut_m`.
 std::size_t tail_edges(const WorkLine& line, const Vehicle& vehicle, double cut_m);

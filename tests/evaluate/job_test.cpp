@@ -11,6 +11,7 @@
 #include "evaluate/job_ground.h"
 #include "evaluate/path_check.h"
 #include "evaluate/scenario_keys.h"
+#include "planner/worked_rows.h"
 #include "terrains/input_error.h"
 #include "terrains/input_file.h"
 #include "tests/evaluate/results_folder.h"
@@ -156,6 +157,27 @@ TEST_F(Jobs, PartsThatTouchNeedNoRoad) {
   EXPECT_EQ(plan.parts.size(), 3U);
   EXPECT_TRUE(passes(audit_of(plan)));
   EXPECT_EQ(plan.stage.field.boundary.size(), 4U);
+}
+
+// With the headland first the vehicle ends among the rows that it has worked.
+TEST_F(Jobs, TransitsKeepOffRowsAndBendSteadilyWhereAsked) {
+  const std::string fields = kWest + kEast;
+  const std::string first =
+      kLane + "planner: {headland_order: first, swath_direction_deg: 0}\nend: [-20, -10]\n";
+  const auto over_m = [](const JobPlan& plan) {
+    return driven_over_worked(plan.stage.field, plan.stage.vehicle, plan.path).length_m;
+  };
+  const JobPlan plain = planned(job(fields, first));
+  EXPECT_GT(over_m(plain), 10.0);
+  const JobPlan off = planned(job(fields, first + "path: {keep_off_worked: true}\n"));
+  EXPECT_EQ(over_m(off), 0.0);
+  EXPECT_TRUE(passes(audit_of(off)));
+  EXPECT_EQ(job_json(off, {}, "1")["over_worked_rows_m"], 0.0);
+  EXPECT_GT(job_json(plain, {}, "1")["over_worked_rows_m"], 10.0);
+  const JobPlan steady = planned(job(fields, first + "path: {continuous_turns: true}\n"));
+  EXPECT_GT(length_of(steady, true), length_of(plain, true)) << "ramps take room";
+  EXPECT_TRUE(passes(audit_of(steady)));
+  EXPECT_EQ(job_json(steady, {}, "1")["abrupt_turns"], steady.path.abrupt_turns);
 }
 
 TEST_F(Jobs, EachFieldMayHaveItsPlanner) {
