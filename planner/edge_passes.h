@@ -17,6 +17,9 @@ struct EdgePass {
   bool around_hole = false;
   bool closed = false;  // a ring without corners: first point == last
   Polyline line_W;      // of the implement's middle, kRingSpacing_m between points
+  // From the end of the pass before it around its ring, where edges without the round may lie
+  // between.
+  double gap_m = 0.0;
 };
 
 struct EdgeOptions {

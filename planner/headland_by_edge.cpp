@@ -168,9 +168,12 @@ void add_rounds_by_edge(const PlanRequest& request, const PolygonSet& field,
       worked = united(std::vector<PolygonSet>{worked, zone});
       continue;
     }
-    // Beside edges with fewer rounds every round swings as near to them as the first one.
+    // Before an edge without headland every round turns off, swinging as near as the first one;
+    // others end at the headland there. Wider corners than need be leave more to short swaths.
+    const double corner_radius_m =
+        headland.least_rounds == 0 ? first.radius_m : request.turning_radius_m;
     const Rounding rounding{kRadiusMargin * request.turning_radius_m,
-                            kRadiusMargin * first.radius_m, field, first_m};
+                            kRadiusMargin * corner_radius_m, field, first_m};
     const PolygonSet ground =
         difference(field, united(std::vector<PolygonSet>{zone_beside(edged, with, distance_m),
                                                          zone_beside(edged, {0, round}, first_m)}));

@@ -201,7 +201,9 @@ void append_edge_passes(const std::vector<EdgePass>& edges, bool inwards,
     for (std::size_t ring = 0; ring < rings.size(); ++ring) {
       if (rank(rings[ring]) != least) continue;
       for (std::size_t i = 0; i < rings[ring].size(); ++i) {
-        const double away_m = (rings[ring][i]->line_W.front() - from_W).norm();
+        // Begun after a gap, its ring ends before it.
+        const double away_m =
+            (rings[ring][i]->line_W.front() - from_W).norm() - rings[ring][i]->gap_m;
         if (away_m >= nearest_m) continue;
         nearest_m = away_m;
         next = ring;

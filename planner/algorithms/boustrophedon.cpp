@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <span>
 #include <utility>
 
 #include "planner/edge_filling.h"
@@ -70,6 +71,17 @@ Plan plan_along(const SwathGrid& grid, const Headland& headland, const PlanReque
   return plan;
 }
 
+// Of the passes of one round, in the order of its rings.
+void set_gaps(std::span<EdgePass> round) {
+  for (std::size_t begin = 0, end = 0; begin < round.size(); begin = end) {
+    while (end < round.size() && round[end].ring == round[begin].ring) ++end;
+    for (std::size_t i = begin; i < end; ++i) {
+      const EdgePass& before = round[i == begin ? end - 1 : i - 1];
+      round[i].gap_m = (round[i].line_W.front() - before.line_W.back()).norm();
+    }
+  }
+}
+
 // Appends a round's passes as far as they lie along edges that have it, and works their ground.
 void append_round(const PlanRequest& request, const FreeSpace& space, const PolygonSet& field,
                   double distance_m, int round, const Headland& headland, WorkedGround& ground,
@@ -84,6 +96,7 @@ void append_round(const PlanRequest& request, const FreeSpace& space, const Poly
   WorkedGround wanted = ground;
   leave_to_work(
       wanted, zone_beside(headland.edged, {round + 1}, distance_m + 0.5 * request.working_width_m));
+  const std::size_t first = edges.size();
   for (EdgePass& edge : edge_round(request, space, field, distance_m, round, options, wanted)) {
     for (Polyline& line_W :
          stretches_along(headland.edged, edge.line_W, distance_m, request.working_width_m, round)) {
@@ -94,6 +107,7 @@ void append_round(const PlanRequest& request, const FreeSpace& space, const Poly
       edges.push_back({edge.round, edge.ring, edge.around_hole, edge.closed, std::move(line_W)});
     }
   }
+  set_gaps(std::span(edges).subspan(first));
 }
 
 // Everything that can be reached is worked, corners too.

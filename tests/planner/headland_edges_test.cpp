@@ -244,6 +244,20 @@ TEST(HeadlandByEdge, ARoundRunsOnAroundTheCornerOfTwoEdgesThatHaveIt) {
   }
 }
 
+// A round that one edge lacks bends no wider in the others' corners, where it would leave short
+// swaths of their own.
+TEST(HeadlandByEdge, ARoundFewerLeavesNoMoreInCorners) {
+  PlanRequest request =
+      request_by_edges(load_vehicle("transplanter"), plain_square(), "boustrophedon");
+  const Headland whole = make_headland(request, 4);
+  ASSERT_EQ(whole.inner.parts.size(), 1U);
+  request.headland_edges = {by_number(0, 1, 3)};
+  const Headland by_edge = make_headland(request, 4);
+  EXPECT_EQ(by_edge.rings.size(), 4U);
+  EXPECT_EQ(by_edge.inner.parts.size(), 1U);
+  EXPECT_NEAR(area_m2(by_edge.inner), area_m2(by_edge.inside), kGridRounding_m2);
+}
+
 TEST(HeadlandByEdge, MoreRoundsThanAnEdgeCanBeGivenAreThoseOfTheOthers) {
   PlanRequest request = tractor_request(plain_square(), "boustrophedon");
   request.working_width_m = 1.0;
@@ -327,6 +341,24 @@ TEST(HeadlandByEdge, SwathsIntoAnEdgeWithoutHeadlandAreRefusedWithTheWidthThatWo
   } catch (const PlanInfeasible& refused) {
     EXPECT_THAT(refused.what(), HasSubstr("it needs a headland of "));
   }
+}
+
+// Three sides of a square have the round: begun after the gap, it is driven without crossing it.
+TEST(HeadlandByEdge, PassesIntoCornersBeginAfterTheGap) {
+  const std::vector<Polyline> sides = {
+      {{0, 0}, {30, 0}}, {{30, 0}, {30, 30}}, {{30, 30}, {0, 30}}};  // none along x = 0
+  const auto first_side = [&](double gap_m) {
+    std::vector<EdgePass> edges;
+    for (const Polyline& side : sides) edges.push_back({0, 0, false, false, side});
+    edges[0].gap_m = gap_m;
+    PlanRequest request = tractor_request(plain_square(), "boustrophedon");
+    request.field.entry_W = Eigen::Vector2d(28, 2);
+    std::vector<Pass> passes;
+    append_edge_passes(edges, true, request, passes);
+    return passes.front().points_W;
+  };
+  EXPECT_EQ(first_side(0.0), sides[1]) << "the nearest, of a ring without a gap";
+  EXPECT_EQ(first_side(30.0), sides[0]);
 }
 
 TEST(HeadlandByEdge, CornersAreCoveredAlongEdgesThatHaveHeadland) {
