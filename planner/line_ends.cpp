@@ -113,6 +113,45 @@ std::vector<double> cut_back(WorkLine& from, double end_m, WorkLine& to, double 
   return cuts_m;
 }
 
+// Cuts an end that no turn is sought at as little as makes the hull fit there, at most `most_m`;
+// the length cut off.
+double cut_to_fit(WorkLine& line, bool at_end, double most_m, const FreeSpace& space,
+                  double clearance_m) {
+  const auto place = [&](std::size_t cut) -> const PathPoint& {
+    return at_end ? line.points[line.points.size() - 1 - cut] : line.points[cut];
+  };
+  const std::size_t most = points_within(line, most_m);
+  std::size_t cut = 0;
+  while (cut < most && !fits(space, pose_of(place(cut)), clearance_m)) ++cut;
+  if (cut == 0 || !fits(space, pose_of(place(cut)), clearance_m)) return 0.0;
+  const double cut_m = (place(cut).p_W - place(0).p_W).norm();
+  const auto off = static_cast<std::ptrdiff_t>(cut);
+  if (at_end) {
+    line.points.erase(line.points.end() - off, line.points.end());
+  } else {
+    line.points.erase(line.points.begin(), line.points.begin() + off);
+  }
+  return cut_m;
+}
+
+// The same for all swaths before and after optional passes, and at the ends of the plan.
+std::vector<double> cut_loose_ends(const Plan& plan, const PolygonSet& inside_headland,
+                                   const FreeSpace& space, const ConnectionOptions& options,
+                                   std::vector<WorkLine>& lines) {
+  std::vector<double> cuts;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].optional || lines[i].kind != PathKind::kSwath) continue;
+    const Allowance most = allowance(plan.passes[i], inside_headland, options.radius_m);
+    const auto cut = [&](bool at_end, double most_m) {
+      const double cut_m = cut_to_fit(lines[i], at_end, most_m, space, options.clearance_m);
+      if (cut_m > 0.0) cuts.push_back(cut_m);
+    };
+    if (i + 1 == lines.size() || lines[i + 1].optional) cut(true, most.end_m);
+    if (i == 0 || lines[i - 1].optional) cut(false, most.begin_m);
+  }
+  return cuts;
+}
+
 }  // namespace
 
 std::vector<double> make_room_for_turns(const Plan& plan, const Field& field,
@@ -124,6 +163,8 @@ std::vector<double> make_room_for_turns(const Plan& plan, const Field& field,
       plan.kept_whole ? *plan.kept_whole
                       : buffered(from_field(field), -plan.headland_width_m, Join::kRound);
   std::vector<double> cuts;
+  // Elsewhere the headland is deep enough for that.
+  if (plan.kept_whole) cuts = cut_loose_ends(plan, inside_headland, space, options, lines);
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
     stop_if(options.cancelled);
     WorkLine& from = lines[i];

@@ -19,6 +19,8 @@ namespace headland {
 //   headland's edge (kept_whole or headland_width_m of the plan). Beyond that the headland itself
 //   is too narrow, and the lines stay as they are;
 // - headland passes along some edges alone are cut back likewise, by up to 3 turning radii.
+// Swath ends that no turn is sought at - at the ends of a plan that has kept_whole, and beside
+// optional passes of one - are cut by as little as makes the hull fit, no further either.
 // Rows are worked in `worked` (null: none is kept off) as they come, where `space` looks them up.
 // Returns the lengths [m] cut off ends of passes. Throws Cancelled.
 std::vector<double> make_room_for_turns(const Plan& plan, const Field& field,

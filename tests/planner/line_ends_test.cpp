@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "planner/drivable_path.h"
+#include "planner/hull.h"
 #include "planner/planned_vehicle.h"
 #include "planner/planners.h"
 #include "vehicle_models/vehicle_loader.h"
@@ -55,6 +56,23 @@ TEST(LineEnds, SwathsThatReachIntoTheHeadlandAreCutBackUntilTheyCanTurn) {
     EXPECT_LE(cut_m, 4.5 + kPathSpacing_m);  // the headland's edge
   }
   EXPECT_NEAR(longest_swath_m(path), 60 - 1.5 - 8 - path.cut_back_m.front(), 1e-6);
+}
+
+// Nothing turns at the end of the last swath; where an edge has no headland it ends at the edge.
+TEST(LineEnds, TheLastSwathIsCutUntilTheHullFits) {
+  const Vehicle vehicle = load_vehicle("transplanter");
+  const Field field = plain_field(60, 40);
+  Plan plan = two_swaths(6.0, 6.0);
+  plan.passes.back().points_W.back().x() = 0.5;
+  EXPECT_THROW(make_path(field, vehicle, plan, {}), PlanInfeasible);
+  plan.kept_whole = PolygonSet{{PolygonPart{{{6, 6}, {54, 6}, {54, 34}, {6, 34}}, {}}}};
+  const Path path = make_path(field, vehicle, plan, {});
+  EXPECT_TRUE(path.violations.empty());
+  ASSERT_EQ(path.cut_back_m.size(), 1U);
+  // Its front is ahead of the implement by so much, and no more is cut than keeps the clearance.
+  const double front_m =
+      hull_of(vehicle).front_m - vehicle.implement.x_B_m + PathOptions{}.clearance_m;
+  EXPECT_NEAR(path.cut_back_m.front(), front_m - 0.5, kPathSpacing_m + 0.01);
 }
 
 TEST(LineEnds, SwathsThatCanTurnStayAsPlanned) {
