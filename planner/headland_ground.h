@@ -31,9 +31,9 @@ bool differs_by_edge(const Headland& headland);
 // What swaths are laid on.
 SwathGround swath_ground(const Headland& headland);
 
-// The implement works no further than this beyond an edge without headland [m]: outlines are drawn
-// with such errors, and swaths along them are not to be cut for these.
-inline constexpr double kOverEdge_m = 0.1;
+// The implement works no further than this beyond an edge without headland [m]: a receiver's noise
+// of 2 cm moves outlines by as much between its extremes, and swaths are not to be cut for that.
+inline constexpr double kOverEdge_m = 0.15;
 
 // The ground, without rings, of `rounds` along all edges of `field` (from_field), the outermost
 // `first_m` from them. Edges that the request names have their own number of rounds, unless that
