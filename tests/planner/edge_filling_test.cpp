@@ -111,8 +111,10 @@ TEST(SwathsBesideBareEdges, ReachOverABentOneWhenTheyAreNotCut) {
   const Headland headland = make_headland(request, 2);
   const SwathGround regardless{headland.inner, headland.drivable};
   const SwathGrid grid = lay_swaths(regardless, 0.0, 9.0, 0.0);
+  const SwathGrid kept = kept_within(grid, regardless, 9.0);
   std::vector<Pass> passes;
-  for (const Swath& swath : kept_within(grid, regardless, 9.0).swaths) {
+  passes.reserve(kept.swaths.size());
+  for (const Swath& swath : kept.swaths) {
     passes.push_back({PassKind::kSwath,
                       {point_on_line(grid, swath.line, swath.from_m),
                        point_on_line(grid, swath.line, swath.to_m)}});

@@ -349,6 +349,7 @@ TEST(HeadlandByEdge, PassesIntoCornersBeginAfterTheGap) {
       {{0, 0}, {30, 0}}, {{30, 0}, {30, 30}}, {{30, 30}, {0, 30}}};  // none along x = 0
   const auto first_side = [&](double gap_m) {
     std::vector<EdgePass> edges;
+    edges.reserve(sides.size());
     for (const Polyline& side : sides) edges.push_back({0, 0, false, false, side});
     edges[0].gap_m = gap_m;
     PlanRequest request = tractor_request(plain_square(), "boustrophedon");
