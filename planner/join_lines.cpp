@@ -11,6 +11,7 @@
 #include "planner/connection.h"
 #include "planner/continuous_turns.h"
 #include "planner/driven_lines.h"
+#include "planner/entry_way.h"
 #include "planner/line_joining.h"
 #include "planner/turns.h"
 
@@ -170,67 +171,13 @@ void append_line(LineJoining& joining, std::size_t index) {
   ++joining.manoeuvre;
 }
 
-// The way from the entry to the line driven first, from the heading that makes it cheapest. No rows
-// are worked by then: `space` knows none.
-void append_entry(LineJoining& joining, const FreeSpace& space, const Eigen::Vector2d& entry_W,
-                  std::size_t first) {
-  const PathPoint& to = joining.lines[first].points.front();
-  const double clearance_m =
-      std::max(-kFitTolerance_m,
-               clearance_between(space, pose_of(to), pose_of(to), joining.options.clearance_m));
-  const std::vector<Pose> poses = poses_near(space, entry_W, joining.options.clearance_m);
-  if (joining.options.continuous_turns) {
-    std::optional<std::pair<Pose, std::vector<Arc>>> best;
-    for (const Pose& from : poses) {
-      auto arcs =
-          connect_by_turn(space, from, pose_of(to), connection_options(joining, clearance_m));
-      if (!arcs || (best && length_m(*arcs) >= length_m(best->second))) continue;
-      best.emplace(from, std::move(*arcs));
-    }
-    if (best) {
-      append_arcs(joining, best->first, best->second, to, PathKind::kTransit);
-      return;
-    }
-  }
-  struct Choice {
-    Pose from;
-    Turn turn;
-  };
-  std::vector<Choice> choices;
-  for (const Pose& from : poses) {
-    for (Turn& turn : turns(from, pose_of(to), joining.radius_m, space.hull.gears)) {
-      choices.push_back({from, std::move(turn)});
-    }
-  }
-  std::stable_sort(choices.begin(), choices.end(),
-                   [](const Choice& a, const Choice& b) { return a.turn.cost_m < b.turn.cost_m; });
-  for (const Choice& choice : choices) {
-    if (!fits_along(space, choice.from, choice.turn.arcs, clearance_m)) continue;
-    append_arcs(joining, choice.from, choice.turn.arcs, to, PathKind::kTransit);
-    return;
-  }
-  // What blocks one heading blocks the others: a route is searched from the cheapest alone.
-  if (!choices.empty()) {
-    const Choice& choice = choices.front();
-    const auto arcs = connect(space, choice.from, pose_of(to),
-                              connection_options(joining, clearance_m), joining.node_budget);
-    if (arcs) {
-      append_arcs(joining, choice.from, *arcs, to, PathKind::kTransit);
-      return;
-    }
-  }
-  if (!joining.options.allow_overrun) {
-    throw PlanInfeasible(fmt::format(
-        "no way from the entry at {} to {} at {} fits the hull; move the entry or allow overruns "
-        "(--allow-overrun)",
-        place_name(joining.field, entry_W), line_name(joining.lines, first),
-        place_name(joining.field, to.p_W)));
-  }
-  const Pose from = choices.empty() ? Pose{entry_W, to.heading_rad} : choices.front().from;
-  const auto arcs = connect_overrunning(space, from, pose_of(to), joining.radius_m);
-  const Overrun worst = worst_overrun(space, from, arcs);
-  if (worst.depth_m > 0.0) record(joining, worst, "way from the entry");
-  append_arcs(joining, from, arcs, to, PathKind::kTransit);
+void append_entry(LineJoining& joining, const DrivenLine& first) {
+  const EntryWay way = first.arcs ? EntryWay{*first.entry, *first.arcs}
+                                  : overrunning_way_from_entry(joining, first.line);
+  const Overrun worst = worst_overrun(joining.space, way.from, way.arcs);
+  if (!first.arcs && worst.depth_m > 0.0) record(joining, worst, "way from the entry");
+  append_arcs(joining, way.from, way.arcs, joining.lines[first.line].points.front(),
+              PathKind::kTransit);
 }
 
 }  // namespace
@@ -252,7 +199,7 @@ Path join_lines(const Field& field, const Vehicle& vehicle, const FreeSpace& spa
   joining.remedies = remedies;
   joining.radius_m = planning_turning_radius_m(vehicle);
   const std::vector<DrivenLine> driven = lines_to_drive(joining);
-  if (field.entry_W) append_entry(joining, space, *field.entry_W, driven.front().line);
+  if (field.entry_W) append_entry(joining, driven.front());
   for (std::size_t i = 0; i < driven.size(); ++i) {
     if (i > 0) append_connection(joining, driven[i - 1].line, driven[i]);
     append_line(joining, driven[i].line);

@@ -2,15 +2,14 @@
 
 namespace headland {
 
-bool are_apart(const PartWays& ways, const Pose& from, const Pose& to) {
-  const auto known = ways.failed.find(std::pair(ways.parts.at(from), ways.parts.at(to)));
+bool are_apart(const PartWays& ways, int from_part, int to_part) {
+  const auto known = ways.failed.find({from_part, to_part});
   return known != ways.failed.end() && known->second >= kSearchesBetween;
 }
 
-void note_search(PartWays& ways, const Pose& from, const Pose& to, bool found) {
-  const std::pair parts(ways.parts.at(from), ways.parts.at(to));
-  if (parts.first < 0 || parts.second < 0 || parts.first == parts.second) return;
-  int& failed = ways.failed[parts];
+void note_search(PartWays& ways, int from_part, int to_part, bool found) {
+  if (from_part == kNoPart || to_part == kNoPart || from_part == to_part) return;
+  int& failed = ways.failed[{from_part, to_part}];
   failed = found ? 0 : failed + 1;
 }
 

@@ -13,13 +13,12 @@ namespace headland {
 inline constexpr int kSearchesBetween = 6;
 
 struct PartWays {
-  RoomyParts parts;
-  std::map<std::pair<int, int>, int> failed{};  // searches in a row
+  std::map<std::pair<int, int>, int> failed{};  // searches in a row, from one part to another
 };
 
-bool are_apart(const PartWays& ways, const Pose& from, const Pose& to);
+bool are_apart(const PartWays& ways, int from_part, int to_part);
 
-// Within a part, and where it is not known in which one a pose is, nothing is learned.
-void note_search(PartWays& ways, const Pose& from, const Pose& to, bool found);
+// Within a part, and of kNoPart, nothing is learned.
+void note_search(PartWays& ways, int from_part, int to_part, bool found);
 
 }  // namespace headland

@@ -7,7 +7,7 @@ namespace headland {
 namespace {
 
 constexpr double kFinestPartCell_m = 0.15;
-constexpr double kMostPartCells = 2e5;
+constexpr double kMostPartCells = 4e5;
 
 }  // namespace
 

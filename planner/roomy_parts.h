@@ -9,9 +9,11 @@
 
 namespace headland {
 
+inline constexpr int kNoPart = -1;  // it is not known in which part
+
 struct RoomyParts {
   DiscCells cells;
-  std::vector<int> part;    // of each cell, counted from 0; -1: the hull does not fit there
+  std::vector<int> part;    // of each cell, counted from 0; kNoPart: the hull does not fit there
   double middle_x_m = 0.0;  // of the chassis, ahead of B's origin
 
   // Of the cell that the chassis's middle is in.
@@ -24,7 +26,8 @@ inline constexpr double kTightGap_m = 0.25;
 
 // Where the middle of a disc may be that has room for the chassis with the clearance and
 // kTightGap_m around it, and joined to these parts what is as wide as the chassis alone, by
-// nearness.
+// nearness. Cells are 0.15 m wide on fields of up to 0.9 ha and as many on larger ones, 1.6 m on
+// 100 ha, so that somewhat wider gaps may count as tight there.
 RoomyParts roomy_parts(const FreeSpace& space, double clearance_m);
 
 }  // namespace headland

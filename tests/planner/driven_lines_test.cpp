@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "planner/drivable_path.h"
 #include "planner/part_ways.h"
 #include "planner/roomy_parts.h"
@@ -87,21 +89,57 @@ TEST(RoomyParts, AreJoinedByWideGapsAlone) {
 }
 
 TEST(PartWays, AreTakenToBeApartAfterSearchesInARowAlone) {
-  const Pose west{{20.0, 20.0}, 0.0};
-  const Pose east{{60.0, 20.0}, 0.0};
-  PartWays ways{roomy_parts(free_space(with_wall(1.0), hull_of(made_up_vehicle(2.6, 2.0))), 0.1)};
-  for (int search = 1; search < kSearchesBetween; ++search) note_search(ways, west, east, false);
-  EXPECT_FALSE(are_apart(ways, west, east));
-  note_search(ways, west, east, true);
-  for (int search = 1; search < kSearchesBetween; ++search) note_search(ways, west, east, false);
-  EXPECT_FALSE(are_apart(ways, west, east));
-  note_search(ways, west, east, false);
-  EXPECT_TRUE(are_apart(ways, west, east));
-  EXPECT_FALSE(are_apart(ways, east, west)) << "one way has not been searched for";
-  for (int search = 0; search < 2 * kSearchesBetween; ++search) {
-    note_search(ways, west, west, false);
+  PartWays ways;
+  const auto search = [&](int times) {
+    for (int i = 0; i < times; ++i) note_search(ways, 0, 1, false);
+  };
+  search(kSearchesBetween - 1);
+  EXPECT_FALSE(are_apart(ways, 0, 1));
+  note_search(ways, 0, 1, true);
+  search(kSearchesBetween - 1);
+  EXPECT_FALSE(are_apart(ways, 0, 1));
+  search(1);
+  EXPECT_TRUE(are_apart(ways, 0, 1));
+  EXPECT_FALSE(are_apart(ways, 1, 0)) << "one way has not been searched for";
+  for (int i = 0; i < 2 * kSearchesBetween; ++i) {
+    note_search(ways, 1, 1, false);
+    note_search(ways, kNoPart, 1, false);
   }
-  EXPECT_FALSE(are_apart(ways, west, west)) << "within a part nothing is learned";
+  EXPECT_FALSE(are_apart(ways, 1, 1)) << "within a part nothing is learned";
+  EXPECT_FALSE(are_apart(ways, kNoPart, 1));
+}
+
+// Lanes so narrow that the vehicle cannot turn in them, nor get from one to another.
+TEST(DrivenLines, ThereIsAlwaysOneAndThatOfALaneThatTheEntryLeadsTo) {
+  constexpr int kLanes = 7;
+  constexpr double kLane_m = 2.4;
+  Field field = rectangle(30.0, kLanes * kLane_m);
+  Plan plan;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const double y = (lane + 0.5) * kLane_m;
+    if (lane > 0) {
+      const double wall = lane * kLane_m;
+      field.holes.push_back(
+          {{1.0, wall - 0.2}, {1.0, wall + 0.2}, {29.0, wall + 0.2}, {29.0, wall - 0.2}});
+    }
+    plan.passes.push_back({PassKind::kSwath, {{10.0, y}, {20.0, y}}, true});
+  }
+  const Vehicle vehicle = made_up_vehicle(2.6, 2.0);
+  PathOptions options;
+  options.allow_overrun = true;
+  for (const int entered : {-1, kLanes - 1}) {
+    if (entered >= 0) field.entry_W = Eigen::Vector2d(3.0, (entered + 0.5) * kLane_m);
+    const Path path = make_path(field, vehicle, plan, options);
+    ASSERT_FALSE(path.segments.empty());
+    EXPECT_EQ(path.left_out.size(), plan.passes.size() - 1U);
+    if (entered < 0) continue;
+    EXPECT_FALSE(std::ranges::any_of(path.left_out, [&](const LeftOutPass& left_out) {
+      return left_out.pass == static_cast<std::size_t>(entered);
+    })) << entered;
+    test::expect_continuous(path, vehicle);
+    test::expect_inside(path, field, vehicle, 0.0);
+    EXPECT_TRUE(path.violations.empty());
+  }
 }
 
 }  // namespace
