@@ -9,6 +9,7 @@
 #include "planner/continuous_turns.h"
 #include "planner/join_lines.h"
 #include "planner/line_ends.h"
+#include "planner/line_joining.h"
 #include "planner/outline.h"
 #include "planner/polygon.h"
 #include "planner/work_line.h"
@@ -49,42 +50,42 @@ std::vector<double> with_room(const Plan& plan, const Field& outline, FreeSpace 
                              options.keep_off_worked ? &worked : nullptr, lines);
 }
 
-// A plan of which less than this can be driven, by length, is none.
+// A plan of which less than this can be driven, by the ground that its passes work, is none.
 constexpr double kLeastDriven = 0.5;
 
-// Measures the ground that passes left out would work and the path does not.
-void measure_left_out(const Field& outline, const Vehicle& vehicle, const std::vector<Pass>& passes,
-                      Path& path) {
-  if (path.left_out.empty()) return;
+// Measures the ground that passes left out would work and the path does not. Returns what the path
+// works [m2].
+double measure_left_out(const Field& outline, const Vehicle& vehicle,
+                        const std::vector<Pass>& passes, Path& path) {
   const double width_m = vehicle.implement.working_width_m;
   WorkedGround ground = ground_to_work(outline);
+  double worked_m2 = 0.0;
   for (const PathSegment& segment : path.segments) {
     if (!segment.implement_down) continue;
-    work_driven(ground, segment.points, vehicle.implement.x_B_m, width_m);
+    worked_m2 += work_driven(ground, segment.points, vehicle.implement.x_B_m, width_m);
   }
   for (LeftOutPass& left_out : path.left_out) {
     left_out.area_m2 = work_along(ground, passes[left_out.pass].points_W, width_m);
   }
   std::ranges::stable_sort(path.left_out, std::greater{}, &LeftOutPass::area_m2);
+  return worked_m2;
 }
 
 // A vehicle that gets nowhere is refused, however well it would work the little that it reaches.
-void refuse_if_most_left_out(const std::vector<Pass>& passes, const Path& path) {
-  if (path.left_out.empty()) return;
-  double all_m = 0.0;
-  for (const Pass& pass : passes) all_m += length_m(pass.points_W);
-  double left_out_m = 0.0;
-  for (const LeftOutPass& left_out : path.left_out) {
-    left_out_m += length_m(passes[left_out.pass].points_W);
-  }
-  if (left_out_m <= (1.0 - kLeastDriven) * all_m) return;
+void refuse_if_most_left_out(const Field& field, double worked_m2, const Path& path) {
+  double all_m2 = worked_m2;
+  for (const LeftOutPass& left_out : path.left_out) all_m2 += left_out.area_m2;
+  if (worked_m2 >= kLeastDriven * all_m2) return;
   const std::size_t others = path.left_out.size() - 1;
   throw PlanInfeasible(fmt::format(
-      "turns lead to no more than {:.0f} of {:.0f} m of passes: {}; {} {} left out likewise. Take "
-      "a smaller vehicle or one that turns tighter, remove what is in the way, or take the passes "
-      "that turns lead to for a plan (--allow-overrun)",
-      all_m - left_out_m, all_m, path.left_out.front().why, others,
-      others == 1 ? "other is" : "others are"));
+      "turns lead{} to no more than {:.0f} of {:.0f} m² that passes would work: {}{}. Take a "
+      "smaller vehicle or one that turns tighter, remove what is in the way, or accept a plan of "
+      "the rest (--allow-overrun)",
+      field.entry_W ? " from the entry at " + place_name(field, *field.entry_W) : "", worked_m2,
+      all_m2, path.left_out.front().why,
+      others == 0   ? ""
+      : others == 1 ? "; 1 other is left out"
+                    : fmt::format("; {} others are left out", others)));
 }
 
 }  // namespace
@@ -119,8 +120,10 @@ Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
   if (options.continuous_turns) connection.sharpness_per_m2 = turning_sharpness_per_m2(vehicle);
   std::vector<double> cuts = with_room(plan, outline, space, connection, vehicle, options, lines);
   Path path = join_lines(field, vehicle, space, lines, options, cancelled, plan.remedies);
-  measure_left_out(outline, vehicle, plan.passes, path);
-  if (!options.allow_overrun) refuse_if_most_left_out(plan.passes, path);
+  if (!path.left_out.empty()) {
+    const double worked_m2 = measure_left_out(outline, vehicle, plan.passes, path);
+    if (!options.allow_overrun) refuse_if_most_left_out(field, worked_m2, path);
+  }
   path.cut_back_m = std::move(cuts);
   return path;
 }

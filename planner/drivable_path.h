@@ -36,7 +36,8 @@ void check_path_options(const Vehicle& vehicle, const PathOptions& options);
 // reverse, and swaths have a straight run-in (run_in_m of work_line.h).
 // Throws InputError for continuous turns of a skid-steered vehicle, PlanInfeasible naming the place
 // and the headland width that would do when a turn does not fit and overruns are not allowed, when
-// turns lead to less than half of the passes by length, also for a pass without length; Cancelled.
+// turns lead to less than half of the ground that passes would work, also for a pass without
+// length; Cancelled.
 Path make_path(const Field& field, const Vehicle& vehicle, const Plan& plan,
                const PathOptions& options, const CancelAsked& cancelled = {});
 

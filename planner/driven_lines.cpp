@@ -25,12 +25,7 @@ std::vector<DrivenLine> lines_to_drive(LineJoining& joining) {
     }
     if (!optional.empty()) drive_optional(driving, *parts, optional);
     if (next == joining.lines.size()) break;
-    bool reached = drive_next(driving, next);
-    while (!reached && !driven.empty() && joining.lines[driven.back().line].optional) {
-      leave_last_out(driving);
-      reached = drive_next(driving, next);
-    }
-    if (!reached) {
+    if (!drive_next(driving, next) && !drive_leaving_out(driving, next)) {
       if (!joining.options.allow_overrun) {
         if (driven.empty()) refuse_entry(joining, next);
         refuse_connection(joining, driven.back().line, next);

@@ -332,7 +332,7 @@ std::vector<Polyline> drivable_stretches(const Edging& edging, const Polyline& l
 
 double edge_distance_m(const PlanRequest& request) {
   return std::max(0.5 * request.working_width_m,
-                  0.5 * request.vehicle_width_m + request.clearance_m);
+                  0.5 * request.vehicle_width_m + request.clearance_m + kRoomBesideEdge_m);
 }
 
 std::vector<EdgePass> edge_round(const PlanRequest& request, const FreeSpace& space,

@@ -26,8 +26,8 @@ void leave_out(LineJoining& joining, std::size_t line, bool apart) {
              : fmt::format("no turn to or from {} fits", what)});
 }
 
-// The part that the field is entered in, if some of the lines are in it, else the one that most is
-// to be driven in.
+// Of the parts that some of the lines are in the one that the field is entered in, else that the
+// first line which must be driven begins in, else the one that most is to be driven in.
 int main_part(const LineDriving& driving, const RoomyParts& parts,
               const std::vector<std::size_t>& lines) {
   std::map<int, std::size_t> points_in;
@@ -40,6 +40,11 @@ int main_part(const LineDriving& driving, const RoomyParts& parts,
         poses_near(joining.space, *joining.field.entry_W, joining.options.clearance_m);
     const int entered = entries.empty() ? kNoPart : parts.at(entries.front());
     if (entered != kNoPart && points_in.contains(entered)) return entered;
+  }
+  const auto must = std::ranges::find(joining.lines, false, &WorkLine::optional);
+  if (must != joining.lines.end()) {
+    const int part = driving.parts[static_cast<std::size_t>(must - joining.lines.begin())].begin;
+    if (part != kNoPart && points_in.contains(part)) return part;
   }
   if (points_in.size() > 1) points_in.erase(kNoPart);
   return std::ranges::max_element(points_in, {}, [](const auto& part) { return part.second; })
@@ -77,12 +82,20 @@ bool begin_with(LineDriving& driving, Waiting& waiting, std::size_t line) {
   return true;
 }
 
-// Drives one of the lines that wait; false when none of them can be come to.
+// Drives one of the lines that wait; false when none of them can be come to. A part is finished
+// before it is left: a tight gap may lead one way only.
 bool drive_one(LineDriving& driving, Waiting& waiting) {
+  const int from_part =
+      driving.driven.empty() ? kNoPart : driving.parts[driving.driven.back().line].end;
+  const auto is_here = [&](std::size_t line) {
+    return from_part != kNoPart &&
+           (driving.parts[line].begin == from_part || driving.other_parts[line].begin == from_part);
+  };
+  const bool finished = std::ranges::none_of(waiting.lines, is_here);
   std::size_t failed = 0;
   const auto reached = std::ranges::find_if(waiting.lines, [&](std::size_t line) {
     if (driving.driven.empty()) return begin_with(driving, waiting, line);
-    const int from_part = driving.parts[driving.driven.back().line].end;
+    if (!finished && !is_here(line)) return false;
     if (failed >= kLinesTried || is_apart(driving, from_part, line)) return false;
     if (drive_next(driving, line)) return true;
     ++failed;
@@ -170,9 +183,20 @@ void drive_optional(LineDriving& driving, const RoomyParts& parts,
   }
 }
 
-void leave_last_out(LineDriving& driving) {
-  leave_out(driving.joining, driving.driven.back().line, false);
-  driving.driven.pop_back();
+bool drive_leaving_out(LineDriving& driving, std::size_t next) {
+  std::vector<DrivenLine>& driven = driving.driven;
+  std::vector<DrivenLine> taken_back;
+  while (taken_back.size() < kMostTakenBack && driven.size() > 1 &&
+         driving.joining.lines[driven.back().line].optional) {
+    stop_if(driving.joining.cancelled);
+    taken_back.push_back(std::move(driven.back()));
+    driven.pop_back();
+    if (!drive_next(driving, next)) continue;
+    for (const DrivenLine& line : taken_back) leave_out(driving.joining, line.line, false);
+    return true;
+  }
+  for (; !taken_back.empty(); taken_back.pop_back()) driven.push_back(std::move(taken_back.back()));
+  return false;
 }
 
 }  // namespace headland

@@ -103,9 +103,9 @@ TEST(MakePath, AVehicleThatReachesLittleOfItsPassesIsRefused) {
   EXPECT_EQ(left_out_m2(path), path.left_out[0].area_m2);
   try {
     make_path(field, vehicle, plan_with(2), {});
-    FAIL() << "planned though 40 of 60 m of passes cannot be reached";
+    FAIL() << "planned though 80 of 120 m² cannot be reached";
   } catch (const PlanInfeasible& refused) {
-    EXPECT_THAT(refused.what(), HasSubstr("no more than 20 of 60 m of passes"));
+    EXPECT_THAT(refused.what(), HasSubstr("no more than 40 of 120 m² that passes would work"));
     EXPECT_THAT(refused.what(), HasSubstr("1 other is left out"));
     EXPECT_THAT(refused.what(), HasSubstr("Take a smaller vehicle"));
   }
