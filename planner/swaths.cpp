@@ -33,9 +33,8 @@ Bands bands_of(const SwathGrid& grid, double height_m) {
 }
 
 // As far as the ground in each line's band reaches; joined where the gap may be driven on.
-void append_swaths(const BandEdges& inner, const Bands& bands, const BandEdges& drivable,
+void append_swaths(const std::vector<Intervals>& extents, const BandEdges& drivable,
                    double bridge_m, SwathGrid& grid) {
-  const std::vector<Intervals> extents = extents_in_bands(inner, bands);
   const std::vector<Intervals> open =
       cross_sections(drivable, grid.first_line_m, grid.spacing_m, grid.lines);
   for (int line = 0; line < grid.lines; ++line) {
@@ -58,22 +57,27 @@ struct Flush {
   bool high = false;
 };
 
-// Along how many metres of a line's swaths its band holds ground that is `taken`.
-double beyond_m(const SwathGrid& grid, const std::vector<Intervals>& taken, int line) {
+// Along how many metres of a line's swaths ground is `taken`.
+double beyond_m(const SwathGrid& grid, const Intervals& taken, int line) {
   double sum_m = 0.0;
   for (const Swath& swath : grid.swaths) {
     if (swath.line != line) continue;
-    for (const Interval& off : taken[static_cast<std::size_t>(line)]) {
+    for (const Interval& off : taken) {
       sum_m += std::max(0.0, std::min(off.to_m, swath.to_m) - std::max(off.from_m, swath.from_m));
     }
   }
   return sum_m;
 }
 
+Intervals extents_between(const BandEdges& edges, double lowest_m, double highest_m) {
+  const double height_m = highest_m - lowest_m;
+  return extents_in_bands(edges, {lowest_m, height_m, height_m, 1}).front();
+}
+
 Flush sides_to_be_flush(const SwathGrid& grid, const BandEdges& beyond, double width_m) {
   const auto over_m = [&](int line, double below_m, double above_m) {
-    const Bands bands{grid.first_line_m - below_m, grid.spacing_m, below_m + above_m, grid.lines};
-    return beyond_m(grid, extents_in_bands(beyond, bands), line);
+    const double line_m = grid.first_line_m + line * grid.spacing_m;
+    return beyond_m(grid, extents_between(beyond, line_m - below_m, line_m + above_m), line);
   };
   const double spaced_m = 0.5 * grid.spacing_m;
   const double wide_m = 0.5 * width_m;
@@ -95,6 +99,18 @@ void spread_flush(const BandEdges& inner, const Flush& flush, double width_m, Sw
   const int sides = (flush.low ? 1 : 0) + (flush.high ? 1 : 0);
   grid.spacing_m = (across_m - 0.5 * width_m * sides) / (grid.lines - 0.5 * sides);
   grid.first_line_m = inner.lowest_m + 0.5 * (flush.low ? width_m : grid.spacing_m);
+}
+
+// In bands of the spacing, of which the first and the last reach out to the outermost ground: a
+// strip laid flush there works half a width beyond its line.
+std::vector<Intervals> extents_out_to_all(const BandEdges& inner, const SwathGrid& grid) {
+  std::vector<Intervals> extents = extents_in_bands(inner, bands_of(grid, grid.spacing_m));
+  const double above_first_m = grid.first_line_m + 0.5 * grid.spacing_m;
+  const double below_last_m = grid.first_line_m + (grid.lines - 1.5) * grid.spacing_m;
+  const bool one = grid.lines == 1;
+  extents.back() = extents_between(inner, one ? inner.lowest_m : below_last_m, inner.highest_m);
+  if (!one) extents.front() = extents_between(inner, inner.lowest_m, above_first_m);
+  return extents;
 }
 
 std::vector<double> directions_to_try(const Field& field) {
@@ -167,14 +183,14 @@ SwathGrid lay_swaths(const SwathGround& ground, double direction_rad, double wid
   grid.spacing_m = through_m ? width_m : across_m / lines;
   grid.first_line_m = lowest_m + grid.spacing_m / 2.0;
   const BandEdges open = edges_along(ground.drivable, direction_rad);
-  append_swaths(edges, {lowest_m, grid.spacing_m, grid.spacing_m, grid.lines}, open, bridge_m,
-                grid);
+  append_swaths(extents_in_bands(edges, {lowest_m, grid.spacing_m, grid.spacing_m, grid.lines}),
+                open, bridge_m, grid);
   if (through_m || ground.beyond.parts.empty()) return grid;
   const Flush flush = sides_to_be_flush(grid, edges_along(ground.beyond, direction_rad), width_m);
   if (!flush.low && !flush.high) return grid;
   spread_flush(edges, flush, width_m, grid);
   grid.swaths.clear();
-  append_swaths(edges, bands_of(grid, grid.spacing_m), open, bridge_m, grid);
+  append_swaths(extents_out_to_all(edges, grid), open, bridge_m, grid);
   return grid;
 }
 

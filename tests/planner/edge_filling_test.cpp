@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,37 @@ TEST(SwathsBesideBareEdges, BeginWithTheEdgeItself) {
   EXPECT_NEAR(between.spacing_m, (26.0 - 9.0) / 2.0, 1e-9);
   const PolygonSet narrow = ground(rectangle_ring(0, 0, 100, 5));
   EXPECT_NEAR(lay_swaths({narrow, narrow, below}, 0.0, 9.0, 0.0).first_line_m, 4.5, 1e-9);
+}
+
+// Slanted ends and a lone tip that lie nearer to the edge than half a spacing below the first line.
+TEST(SwathsBesideBareEdges, ReachAsFarAsTheGroundBesideTheEdge) {
+  for (const double across_m : {5.0, 10.0}) {  // one line and two
+    for (const bool high : {false, true}) {
+      const auto at = [&](double x_m, double from_edge_m) {
+        return Eigen::Vector2d(x_m, high ? across_m - from_edge_m : from_edge_m);
+      };
+      const auto ring = [&](Ring points) {
+        if (high) std::reverse(points.begin(), points.end());
+        return points;
+      };
+      const PolygonSet inner{
+          {PolygonPart{ring({at(0, 0), at(100, 0), at(80, across_m), at(20, across_m)}), {}},
+           PolygonPart{ring({at(120, 0), at(130, 0), at(125, 1)}), {}}}};
+      const PolygonSet taken = high ? ground(rectangle_ring(-20, across_m, 150, across_m + 20))
+                                    : ground(rectangle_ring(-20, -20, 150, 0));
+      const SwathGrid grid = lay_swaths({inner, inner, taken}, 0.0, 9.0, 0.0);
+      std::vector<Swath> beside;
+      for (const Swath& swath : grid.swaths) {
+        if (swath.line == (high ? grid.lines - 1 : 0)) beside.push_back(swath);
+      }
+      ASSERT_EQ(beside.size(), 2U) << across_m << " m, " << (high ? "high" : "low");
+      // The slant comes in by 20 m over the least of the widths, 5 m: 4 m a metre.
+      EXPECT_NEAR(beside[0].from_m, 0.0, 4.0 * kBandEdges_m);
+      EXPECT_NEAR(beside[0].to_m, 100.0, 4.0 * kBandEdges_m);
+      EXPECT_NEAR(beside[1].from_m, 120.0, 5.0 * kBandEdges_m);
+      EXPECT_NEAR(beside[1].to_m, 130.0, 5.0 * kBandEdges_m);
+    }
+  }
 }
 
 TEST(SwathsBesideBareEdges, AreCutWhereTheirWidthReachesOver) {
