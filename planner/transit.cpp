@@ -13,8 +13,6 @@
 namespace headland {
 namespace {
 
-constexpr int kNodes = 100000;  // of all routes of one transit
-
 // A piece of the transit: arcs from a pose, and the ground they are to stay in.
 struct Piece {
   Pose start;
@@ -27,7 +25,8 @@ struct Joining {
   const PathOptions& options;
   const CancelAsked& cancelled;
   const GeoFrame& frame;
-  int nodes = kNodes;
+  int nodes = 0;           // of routes
+  int nodes_off_rows = 0;  // of routes that keep off rows
   Path path{};
 };
 
@@ -61,11 +60,16 @@ void append_connection(Joining& joining, const FreeSpace& space, const Pose& fro
     if (joining.options.continuous_turns) {
       options.sharpness_per_m2 = turning_sharpness_per_m2(joining.vehicle);
     }
-    arcs = connect(space, from, to, options, joining.nodes);
-    if (!arcs && space.worked != nullptr) {
+    const bool rows = space.worked != nullptr;
+    arcs = connect(space, from, to, options, rows ? joining.nodes_off_rows : joining.nodes);
+    if (!arcs && rows) {
       FreeSpace over_rows = space;
       over_rows.worked = nullptr;
       arcs = connect(over_rows, from, to, options, joining.nodes);
+      if (arcs && joining.options.allow_overrun) {
+        joining.path.violations.push_back(
+            {from.p_W, 0, 0.0, what + ": no way keeps the wheels off the rows worked"});
+      }
     }
   }
   if (!arcs) {
@@ -89,7 +93,7 @@ void append_connection(Joining& joining, const FreeSpace& space, const Pose& fro
 
 Path transit_path(const TransitRequest& request, const Vehicle& vehicle, const PathOptions& options,
                   const CancelAsked& cancelled) {
-  Joining joining{vehicle, options, cancelled, request.road.frame};
+  Joining joining{vehicle, options, cancelled, request.road.frame, request.nodes, request.nodes};
   const Hull hull = hull_of(vehicle);
   FreeSpace leaving = free_space(simplified(request.leaving), hull);
   leaving.worked = request.rows;

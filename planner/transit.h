@@ -15,9 +15,10 @@
 
 namespace headland {
 
+inline constexpr int kTransitNodes = 100000;
+
 // Ground is where the hull may be: `leaving` from `from` to the road, `road` along it, `arriving`
 // from there to `to`.
-// Between `from` and the road `rows`, if given, are kept off where a way does so.
 struct TransitRequest {
   std::optional<Pose> from;  // none: the path begins on the road
   std::optional<Pose> to;    // none: it ends there
@@ -25,7 +26,10 @@ struct TransitRequest {
   Field leaving;
   Field road;
   Field arriving;
+  // Not owned; kept off between `from` and the road where a way does so. Else the wheels run over
+  // them, which is recorded where overruns are allowed.
   const WorkedGround* rows = nullptr;
+  int nodes = kTransitNodes;  // of all routes; a search for a way off the rows has its own
 };
 
 // Forwards along the way within kRoadTolerance_m, with corners rounded by the planning radius, the

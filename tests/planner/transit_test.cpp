@@ -119,6 +119,33 @@ TEST(Transits, KeepOffRowsWhereAWayDoes) {
   // Shut in by rows it drives as if there were none.
   work(rows, between_bars({-10, 15}, {130, 15}, {0, 25}, {0, 25}));
   EXPECT_NEAR(length_m(transit_path(off, vehicle, {})), length_m(plain), 1e-9);
+  PathOptions options;
+  options.allow_overrun = true;
+  EXPECT_TRUE(transit_path(over, vehicle, options).violations.empty());
+  const Path told = transit_path(off, vehicle, options);
+  ASSERT_EQ(told.violations.size(), 1U);
+  EXPECT_EQ(told.violations[0].what, "onto the road: no way keeps the wheels off the rows worked");
+  EXPECT_EQ(told.violations[0].overrun_m, 0.0);
+}
+
+// Two walls between the vehicle and the road, which no turn leads around, and rows in the way.
+TEST(Transits, SearchOverRowsWithAsMuchAsWhereThereAreNone) {
+  const Vehicle vehicle = load_vehicle("utility_tractor");
+  TransitRequest request = out_of_a_field();
+  request.way_W = {{50, 5}, {80, 5}, {118, 17}};
+  request.leaving.holes = {reversed(rectangle_ring(30, -9, 31, 28)),
+                           reversed(rectangle_ring(41, 2, 42, 39))};
+  request.nodes = 100;
+  const Path plain = transit_path(request, vehicle, {});
+  WorkedGround rows = ground_to_work(request.leaving);
+  // Between them a lane is left that is as wide as the hull and bends at right angles.
+  work(rows, between_bars({31, 35.5}, {41, 35.5}, {0, 4.5}, {0, 4.5}));
+  work(rows, between_bars({31, 9}, {34, 9}, {0, 19}, {0, 19}));
+  work(rows, between_bars({36.5, 12}, {41, 12}, {0, 19}, {0, 19}));
+  request.rows = &rows;
+  EXPECT_NEAR(length_m(transit_path(request, vehicle, {})), length_m(plain), 1e-9);
+  request.nodes = 1;
+  EXPECT_THROW(transit_path(request, vehicle, {}), PlanInfeasible) << "it takes a search";
 }
 
 }  // namespace
