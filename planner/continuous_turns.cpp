@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace headland {
 namespace {
@@ -14,6 +15,8 @@ constexpr double kLongestStep = 1.0;  // m and rad, beyond which the linear mode
 // Shorter pieces are left out, and smaller jumps of curvature are none.
 constexpr double kNothing_m = 1e-9;
 constexpr double kNoJump_per_m = 1e-6;
+// Lines that turn less than this against each other, or about, meet in no corner.
+constexpr double kNoTurn_rad = 1e-6;
 // Curvature for angles as small as these is taken to be that of a line.
 constexpr double kStraight_per_m = 1e-9;
 
@@ -149,7 +152,8 @@ std::vector<Arc> with_ramps(const std::vector<Arc>& arcs, double sharpness_per_m
   std::vector<std::vector<Arc>> bends(arcs.size());  // in place of arcs
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     const double turn_rad = std::abs(arcs[i].length_m * arcs[i].curvature_per_m);
-    if (is_line(i) || i == 0 || !is_line(i - 1) || !is_line(i + 1)) continue;
+    if (i == 0 || !is_line(i - 1) || !is_line(i + 1)) continue;
+    if (!(turn_rad > kNoTurn_rad && turn_rad < std::numbers::pi - kNoTurn_rad)) continue;
     const double side = arcs[i].curvature_per_m > 0.0 ? 1.0 : -1.0;
     const double curvature_per_m =
         std::min(std::abs(arcs[i].curvature_per_m), std::sqrt(turn_rad * sharpness_per_m2));
@@ -164,7 +168,7 @@ std::vector<Arc> with_ramps(const std::vector<Arc>& arcs, double sharpness_per_m
       return end.p_W.x() - end.p_W.y() / std::tan(end.heading_rad);
     };
     const double earlier_m = to_corner_m(bend) - to_corner_m({arcs[i]});
-    if (ramped[i - 1].length_m < earlier_m || ramped[i + 1].length_m < earlier_m) continue;
+    if (!(std::min(ramped[i - 1].length_m, ramped[i + 1].length_m) >= earlier_m)) continue;
     ramped[i - 1].length_m -= earlier_m;
     ramped[i + 1].length_m -= earlier_m;
     bends[i] = bend;

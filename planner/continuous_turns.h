@@ -30,7 +30,8 @@ double ramped_radius_m(double radius_m, double sharpness_per_m2);
 
 // Lines and arcs driven forward, as of roads, with every arc between two lines begun and ended in
 // clothoids, where the lines are long enough to begin it earlier: the lines, and where all of it
-// ends, stay. An arc that turns too little for its full curvature gets less.
+// ends, stay, and the bend is cut further. An arc that turns too little for its full curvature gets
+// less; one that turns by nothing, or by half a turn or more, stays. sharpness_per_m2 > 0.
 std::vector<Arc> with_ramps(const std::vector<Arc>& arcs, double sharpness_per_m2);
 
 // Whether curvature does not jump along the arcs, between passes that are driven straight forward,

@@ -32,12 +32,13 @@ struct TransitRequest {
   int nodes = kTransitNodes;  // of all routes; a search for a way off the rows has its own
 };
 
-// Forwards along the way within kRoadTolerance_m, with corners rounded by the planning radius, the
-// implement up; to and from it by the cheapest turn or route that fits. With continuous turns asked
-// for, bends of the road begin and end in clothoids where it is straight before and after; what
-// jumps still is counted in `abrupt_turns`. All segments are of kind
-// transit, of manoeuvre 0, and join. Throws PlanInfeasible with the place where the hull does not
-// fit on the road or no turn fits, unless overruns are allowed, which are then recorded; Cancelled.
+// Forwards along the way within kRoadTolerance_m, but for corners, which are rounded by the
+// planning radius and more by clothoids; the implement up; to and from it by the cheapest turn or
+// route that fits. With continuous turns asked for, bends of the road begin and end in clothoids
+// where it is straight before and after; what jumps still is counted in `abrupt_turns`. All
+// segments are of kind transit, of manoeuvre 0, and join. Throws PlanInfeasible with the place
+// where the hull does not fit on the road or no turn fits, unless overruns are allowed, which are
+// then recorded; Cancelled.
 Path transit_path(const TransitRequest& request, const Vehicle& vehicle, const PathOptions& options,
                   const CancelAsked& cancelled = {});
 

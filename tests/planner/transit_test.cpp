@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "planner/continuous_turns.h"
 #include "planner/worked_rows.h"
@@ -62,6 +63,18 @@ TEST(Ramps, LeaveLinesAndEndsWhereTheyAre) {
   EXPECT_FALSE(is_continuous({road.begin(), road.begin() + 2}));
   // The slight bend turns too little for its curvature: it gets what its ramps come to.
   EXPECT_NEAR(ramped[6].curvature_per_m, -std::sqrt(0.5 * 0.2 * kSharpness), 1e-12);
+}
+
+TEST(Ramps, AreLeftOutWhereLinesMeetInNoCorner) {
+  for (const double arc_m : {0.0, 10.0 * std::numbers::pi, 40.0}) {  // nothing, half a turn, more
+    const std::vector<Arc> road = {{20, 0}, {arc_m, 0.1}, {15, 0}, {6, 0.1}, {12, 0}};
+    const std::vector<Arc> ramped = with_ramps(road, kSharpness);
+    ASSERT_EQ(ramped.size(), road.size() + 2) << arc_m << " m: the other bend has its ramps";
+    EXPECT_EQ(ramped[0].length_m, 20.0);
+    EXPECT_EQ(ramped[1].length_m, arc_m);
+    const Pose end = end_of({}, ramped);
+    EXPECT_LT((end.p_W - end_of({}, road).p_W).norm(), kSameEnd);
+  }
 }
 
 TEST(Ramps, NeedRoomOnTheLines) {
