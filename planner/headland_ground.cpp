@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "planner/headland_depth.h"
 #include "planner/headland_edges.h"
-#include "planner/headland_rings.h"
 
 namespace headland {
 namespace {
