@@ -10,10 +10,8 @@
 #include "planner/worked_ground.h"
 
 namespace headland {
-namespace {
-
-void append_beside(const PlanRequest& request, const Headland& headland,
-                   std::span<const SwathGrid> grids, std::vector<Pass>& passes) {
+void append_passes_beside(const PlanRequest& request, const Headland& headland,
+                          std::span<const SwathGrid> grids, std::vector<Pass>& passes) {
   if (headland.beyond.parts.empty() || request.forward_only) return;
   const double width_m = request.working_width_m;
   WorkedGround ground = ground_to_work(request.field);
@@ -28,12 +26,7 @@ void append_beside(const PlanRequest& request, const Headland& headland,
   options.cancelled = request.cancelled;
   for (const SwathGrid& grid : grids) {
     options.directions_rad.push_back(grid.direction_rad);
-    for (const Swath& swath : grid.swaths) {
-      work_along(ground,
-                 {point_on_line(grid, swath.line, swath.from_m),
-                  point_on_line(grid, swath.line, swath.to_m)},
-                 width_m);
-    }
+    work_swaths(ground, grid, width_m);
   }
   const FreeSpace space = free_space(request.field, hull_of(request));
   for (Pass& pass :
@@ -41,18 +34,6 @@ void append_beside(const PlanRequest& request, const Headland& headland,
                request.turning_radius_m, request.cancelled)) {
     passes.push_back(std::move(pass));
   }
-}
-
-}  // namespace
-
-void append_swaths_and_beside(const PlanRequest& request, const Headland& headland,
-                              std::span<const SwathGrid> grids,
-                              const std::function<void(std::vector<Pass>&)>& append_swaths,
-                              std::vector<Pass>& passes) {
-  const bool before = word(request.parameters, "headland_order") == "first";
-  if (before) append_beside(request, headland, grids, passes);
-  append_swaths(passes);
-  if (!before) append_beside(request, headland, grids, passes);
 }
 
 }  // namespace headland

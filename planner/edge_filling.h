@@ -1,7 +1,6 @@
 // Passes along edges without headland, where swaths are cut back before they reach over them.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -11,15 +10,16 @@
 
 namespace headland {
 
-// Ground within a working width of edges without headland that neither rounds nor the swaths of
-// `grids` work gets straight passes of its own (fill_passes), in an order with little driving
-// between; patches of less than kLeastBesideEdge working widths squared are left. None for vehicles
-// that only drive forwards, which do not get out of the corners where such passes end. Appended
-// between rounds of the boundary and swaths, which `append_swaths` appends. Throws Cancelled.
-void append_swaths_and_beside(const PlanRequest& request, const Headland& headland,
-                              std::span<const SwathGrid> grids,
-                              const std::function<void(std::vector<Pass>&)>& append_swaths,
-                              std::vector<Pass>& passes);
+// A swath that is cut off square before an edge that crosses it at 45 degrees leaves half a working
+// width squared. Smaller patches are not worth a pass's turns.
 inline constexpr double kLeastBesideEdge = 0.5;
+
+// Ground within a working width of edges without headland that neither rounds nor the swaths of
+// `grids` work gets straight passes of its own (fill_passes), appended in an order with little
+// driving between; patches of less than kLeastBesideEdge working widths squared are left. None for
+// vehicles that only drive forwards, which do not get out of the corners where such passes end.
+// Throws Cancelled.
+void append_passes_beside(const PlanRequest& request, const Headland& headland,
+                          std::span<const SwathGrid> grids, std::vector<Pass>& passes);
 
 }  // namespace headland

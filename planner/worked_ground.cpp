@@ -25,12 +25,10 @@ void add_loop(WorkedGround& ground, const Points& loop_W) {
   }
 }
 
-template <typename Visit>  // void(GroundState&)
+template <typename Visit>  // void(std::size_t index)
 void visit_inside(WorkedGround& ground, Visit visit) {
   fill(ground.scratch, [&](int row, int begin, int end) {
-    for (int column = begin; column < end; ++column) {
-      visit(ground.cells[ground.index(column, row)]);
-    }
+    for (int column = begin; column < end; ++column) visit(ground.index(column, row));
   });
 }
 
@@ -69,7 +67,7 @@ WorkedGround ground_to_work(const Field& field) {
   ground.scratch = make_scanline(ground.columns, ground.rows);
   add_loop(ground, field.boundary);
   for (const Ring& hole : field.holes) add_loop(ground, hole);
-  visit_inside(ground, [](GroundState& state) { state = GroundState::kToWork; });
+  visit_inside(ground, [&](std::size_t cell) { ground.cells[cell] = GroundState::kToWork; });
   for (const Obstacle& obstacle : field.obstacles) take_out(ground, obstacle);
   return ground;
 }
@@ -92,11 +90,11 @@ Quadrangle between_bars(const Vector2d& from_W, const Vector2d& to_W, const Vect
 double work(WorkedGround& ground, const Quadrangle& quadrangle, std::vector<std::size_t>* newly) {
   add_loop(ground, quadrangle);
   std::size_t count = 0;
-  visit_inside(ground, [&](GroundState& state) {
-    if (state != GroundState::kToWork) return;
-    state = GroundState::kWorked;
+  visit_inside(ground, [&](std::size_t cell) {
+    if (ground.cells[cell] != GroundState::kToWork) return;
+    ground.cells[cell] = GroundState::kWorked;
     ++count;
-    if (newly != nullptr) newly->push_back(static_cast<std::size_t>(&state - ground.cells.data()));
+    if (newly != nullptr) newly->push_back(cell);
   });
   return static_cast<double>(count) * ground.cell_m * ground.cell_m;
 }
@@ -104,8 +102,9 @@ double work(WorkedGround& ground, const Quadrangle& quadrangle, std::vector<std:
 double to_work_m2(WorkedGround& ground, const Quadrangle& quadrangle) {
   add_loop(ground, quadrangle);
   std::size_t count = 0;
-  visit_inside(ground,
-               [&](const GroundState& state) { count += state == GroundState::kToWork ? 1 : 0; });
+  visit_inside(ground, [&](std::size_t cell) {
+    count += ground.cells[cell] == GroundState::kToWork ? 1 : 0;
+  });
   return static_cast<double>(count) * ground.cell_m * ground.cell_m;
 }
 
@@ -127,6 +126,13 @@ double work_along(WorkedGround& ground, const std::vector<Vector2d>& line_W, dou
         work(ground, between_bars(line_W[i - 1], line_W[i], half_bar_at(i - 1), half_bar_at(i)));
   }
   return sum_m2;
+}
+
+void work_swaths(WorkedGround& ground, const SwathGrid& grid, double width_m) {
+  for (const Swath& swath : grid.swaths) {
+    const Vector2d from_W = point_on_line(grid, swath.line, swath.from_m);
+    work_along(ground, {from_W, point_on_line(grid, swath.line, swath.to_m)}, width_m);
+  }
 }
 
 void unwork(WorkedGround& ground, const std::vector<std::size_t>& cells) {

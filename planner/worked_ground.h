@@ -9,6 +9,7 @@
 #include "planner/path.h"
 #include "planner/polygon.h"
 #include "planner/scanline.h"
+#include "planner/swaths.h"
 #include "terrains/field.h"
 
 namespace headland {
@@ -62,6 +63,9 @@ double to_work_m2(const WorkedGround& ground);
 
 // What a bar of `width_m` covers when its middle is pulled along `line_W`, square to it.
 double work_along(WorkedGround& ground, const std::vector<Eigen::Vector2d>& line_W, double width_m);
+
+// Likewise along all swaths of a grid.
+void work_swaths(WorkedGround& ground, const SwathGrid& grid, double width_m);
 
 // These cells are to be worked again.
 void unwork(WorkedGround& ground, const std::vector<std::size_t>& cells);

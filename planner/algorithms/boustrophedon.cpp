@@ -124,12 +124,7 @@ Plan plan_whole(const PlanRequest& request, int rounds) {
   }
   const SwathGrid grid = chosen_swaths(request, swath_ground(headland), headland.narrow);
   Plan plan = plan_along(grid, headland, request);
-  for (const Swath& swath : grid.swaths) {
-    work_along(ground,
-               {point_on_line(grid, swath.line, swath.from_m),
-                point_on_line(grid, swath.line, swath.to_m)},
-               width_m);
-  }
+  work_swaths(ground, grid, width_m);
   const bool headland_first = word(request.parameters, "headland_order") == "first";
   if (headland_first) append_filling(request, grid.direction_rad, space, ground, plan.passes);
   append_edge_passes_before(edges, request, plan.passes);
@@ -187,9 +182,10 @@ Plan plan_boustrophedon(const PlanRequest& asked_for) {
   const SwathGrid grid = chosen_swaths(request, swath_ground(headland), headland.narrow);
   Plan plan = plan_along(grid, headland, request);
   append_rings_before(headland, request, plan.passes);
-  append_swaths_and_beside(
-      request, headland, {&grid, 1},
-      [&](std::vector<Pass>& passes) { append_swaths(grid, request, passes); }, plan.passes);
+  const bool headland_first = word(request.parameters, "headland_order") == "first";
+  if (headland_first) append_passes_beside(request, headland, {&grid, 1}, plan.passes);
+  append_swaths(grid, request, plan.passes);
+  if (!headland_first) append_passes_beside(request, headland, {&grid, 1}, plan.passes);
   append_rings_after(headland, request, plan.passes);
   for (const Pass& pass : plan.passes) plan.planned_length_m += length_m(pass.points_W);
   return plan;

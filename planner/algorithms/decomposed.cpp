@@ -176,9 +176,10 @@ Plan plan_decomposed(const PlanRequest& asked_for) {
     }
   }
   append_rings_before(headland, request, plan.passes);
-  append_swaths_and_beside(
-      request, headland, grids,
-      [&](std::vector<Pass>& passes) { append_pieces(grids, request, passes); }, plan.passes);
+  const bool headland_first = word(request.parameters, "headland_order") == "first";
+  if (headland_first) append_passes_beside(request, headland, grids, plan.passes);
+  append_pieces(grids, request, plan.passes);
+  if (!headland_first) append_passes_beside(request, headland, grids, plan.passes);
   append_rings_after(headland, request, plan.passes);
   for (const Pass& pass : plan.passes) plan.planned_length_m += length_m(pass.points_W);
   return plan;
