@@ -57,7 +57,9 @@ struct LeftOutPass {
   std::size_t pass = 0;                           // index into Plan::passes
   Eigen::Vector2d p_W = Eigen::Vector2d::Zero();  // its middle
   std::string why;
-  double area_m2 = 0.0;  // that it would work and the path does not; of several passes one's
+  // That it would work and the path does not; ground that several would work counts for the first
+  // of them. 0 where nobody measured it.
+  double area_m2 = 0.0;
 };
 
 struct Path {

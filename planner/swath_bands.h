@@ -29,6 +29,7 @@ struct BandEdges {
   double highest_m = 0.0;
 };
 
+// An empty set reaches from lowest_m = +infinity to highest_m = -infinity.
 BandEdges edges_along(const PolygonSet& set, double direction_rad);
 
 // Bands height_m high, of which the first begins at lowest_m and each spacing_m further on.

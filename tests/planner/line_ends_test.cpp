@@ -69,10 +69,11 @@ TEST(LineEnds, TheLastSwathIsCutUntilTheHullFits) {
   const Path path = make_path(field, vehicle, plan, {});
   EXPECT_TRUE(path.violations.empty());
   ASSERT_EQ(path.cut_back_m.size(), 1U);
-  // Its front is ahead of the implement by so much, and no more is cut than keeps the clearance.
+  // Its front is ahead of the implement by so much, and no more is cut than keeps the clearance, in
+  // steps of the path.
   const double front_m =
       hull_of(vehicle).front_m - vehicle.implement.x_B_m + PathOptions{}.clearance_m;
-  EXPECT_NEAR(path.cut_back_m.front(), front_m - 0.5, kPathSpacing_m + 0.01);
+  EXPECT_NEAR(path.cut_back_m.front(), front_m - 0.5, kPathSpacing_m + kFitTolerance_m);
 }
 
 TEST(LineEnds, SwathsThatCanTurnStayAsPlanned) {

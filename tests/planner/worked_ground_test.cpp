@@ -51,6 +51,21 @@ TEST(WorkedGround, CountsWhatIsWorkedOnce) {
   EXPECT_NEAR(work_along(ground, {{5, 14}, {45, 14}}, 4.0), 35.0 * 4.0, slack_m2(ground, 78));
 }
 
+TEST(WorkedGround, IsAllWorkedBySwathsThatCoverIt) {
+  const Field field = field_of("square", rectangle_ring(0, 0, 40, 30));
+  WorkedGround ground = ground_to_work(field);
+  SwathGrid grid{0.0, 5.0, 10.0, 3, {{0, 0.0, 40.0}, {2, 0.0, 40.0}}};
+  work_swaths(ground, grid, 10.0);
+  EXPECT_NEAR(to_work_m2(ground), 400.0, slack_m2(ground, 100)) << "the middle line has no swath";
+  std::vector<std::size_t> newly;
+  const Eigen::Vector2d half_bar(0.0, 5.0);
+  const double middle_m2 =
+      work(ground, between_bars({0, 15}, {40, 15}, half_bar, half_bar), &newly);
+  EXPECT_EQ(to_work_m2(ground), 0.0);
+  unwork(ground, newly);
+  EXPECT_NEAR(to_work_m2(ground), middle_m2, 1e-9) << "the cells told are those worked";
+}
+
 // On an arc of radius R the ends of a bar x behind the axle run on radii hypot(R +- w / 2, x).
 TEST(WorkedGround, ABarBehindATurningAxleSwingsOut) {
   constexpr double kRadius_m = 5.0;
