@@ -156,7 +156,6 @@ void append(const Path& more, JobPart part, std::size_t first_pass, JobPlan& mad
     violation.manoeuvre += last + 1;
     made.path.violations.push_back(std::move(violation));
   }
-  made.path.abrupt_turns += more.abrupt_turns;
   made.path.cut_back_m.insert(made.path.cut_back_m.end(), more.cut_back_m.begin(),
                               more.cut_back_m.end());
   made.path.abrupt_turns += more.abrupt_turns;
@@ -265,7 +264,7 @@ JobPlan plan_job(const JobSpec& job, const CancelAsked& cancelled) {
     std::vector<PolygonSet> leaving = {road};
     std::vector<PolygonSet> arriving = {road};
     if (leg.from) {
-      request.from = pose_of(paths[*leg.from].segments.back().points.back());
+      request.from = paths[*leg.from].segments.back().points.back();
       const Field& left = ground.fields[(*visits)[*leg.from].field];
       leaving.push_back(ground_of(left));
       if (job.common.path.keep_off_worked) {
@@ -273,7 +272,7 @@ JobPlan plan_job(const JobSpec& job, const CancelAsked& cancelled) {
       }
     }
     if (leg.to) {
-      request.to = pose_of(paths[*leg.to].segments.front().points.front());
+      request.to = paths[*leg.to].segments.front().points.front();
       arriving.push_back(ground_of(ground.fields[(*visits)[*leg.to].field]));
     }
     if (length_m(request.way_W) < kLeastRoad_m) {

@@ -75,6 +75,7 @@ Json job_json(const JobPlan& job, const std::vector<JobPartRun>& runs, const std
   json["over_worked_rows_m"] =
       driven_over_worked(job.stage.field, job.stage.vehicle, job.path).length_m;
   json["abrupt_turns"] = job.path.abrupt_turns;
+  json["abrupt_joints"] = job.path.abrupt_joints;
   json["violations"] = job.path.violations.size();
   json["notes"] = job.stage.notes;
   return json;

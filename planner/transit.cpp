@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "planner/arcs.h"
 #include "planner/connection.h"
 #include "planner/continuous_turns.h"
 #include "planner/free_space.h"
@@ -49,9 +50,13 @@ void append(Joining& joining, const Piece& piece, const std::string& what) {
   if (joining.options.continuous_turns && !is_continuous(piece.arcs)) ++joining.path.abrupt_turns;
 }
 
-// The arcs that lead from pose to pose, which must be where they are to the last digit.
-void append_connection(Joining& joining, const FreeSpace& space, const Pose& from, const Pose& to,
-                       const std::string& what) {
+PathPoint straight_at(const Pose& pose) { return {pose.p_W, pose.heading_rad, 0.0}; }
+
+// The arcs that lead from one to the other, which must be where they are to the last digit.
+void append_connection(Joining& joining, const FreeSpace& space, const PathPoint& first,
+                       const PathPoint& last, const std::string& what) {
+  const Pose from = pose_of(first);
+  const Pose to = pose_of(last);
   const double clearance_m = clearance_between(space, from, to, joining.options.clearance_m);
   std::optional<std::vector<Arc>> arcs;
   if (clearance_m >= -kFitTolerance_m) {
@@ -84,6 +89,9 @@ void append_connection(Joining& joining, const FreeSpace& space, const Pose& fro
   const std::size_t before = joining.path.segments.size();
   append(joining, {from, *arcs, &space}, what);
   if (joining.path.segments.size() == before) return;
+  if (joining.options.continuous_turns && is_continuous(*arcs)) {
+    joining.path.abrupt_joints += abrupt_joints(*arcs, first.curvature_per_m, last.curvature_per_m);
+  }
   PathPoint& end = joining.path.segments.back().points.back();
   end.p_W = to.p_W;
   end.heading_rad = to.heading_rad;
@@ -117,19 +125,21 @@ Path transit_path(const TransitRequest& request, const Vehicle& vehicle, const P
   }
   const FreeSpace road = free_space(simplified(request.road), hull);
   if (request.from) {
-    append_connection(joining, leaving, *request.from, pieces.front().start, "onto the road");
+    append_connection(joining, leaving, *request.from, straight_at(pieces.front().start),
+                      "onto the road");
   }
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     stop_if(cancelled);
     if (i > 0) {
-      append_connection(joining, road, end_of(pieces[i - 1].start, pieces[i - 1].arcs),
-                        pieces[i].start, "round a bend of the road");
+      append_connection(joining, road, straight_at(end_of(pieces[i - 1].start, pieces[i - 1].arcs)),
+                        straight_at(pieces[i].start), "round a bend of the road");
     }
     append(joining, {pieces[i].start, pieces[i].arcs, &road}, "along the road");
   }
   if (request.to) {
-    append_connection(joining, arriving, end_of(pieces.back().start, pieces.back().arcs),
-                      *request.to, "off the road");
+    append_connection(joining, arriving,
+                      straight_at(end_of(pieces.back().start, pieces.back().arcs)), *request.to,
+                      "off the road");
   }
   return std::move(joining.path);
 }

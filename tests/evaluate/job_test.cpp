@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -177,7 +178,27 @@ TEST_F(Jobs, TransitsKeepOffRowsAndBendSteadilyWhereAsked) {
   const JobPlan steady = planned(job(fields, first + "path: {continuous_turns: true}\n"));
   EXPECT_GT(length_of(steady, true), length_of(plain, true)) << "ramps take room";
   EXPECT_TRUE(passes(audit_of(steady)));
-  EXPECT_EQ(job_json(steady, {}, "1")["abrupt_turns"], steady.path.abrupt_turns);
+  EXPECT_EQ(steady.path.abrupt_turns, 0);
+}
+
+// Of the road alone, one piece, which bends from its begin on: ramps find no straight before it.
+TEST_F(Jobs, TellAJumpOnce) {
+  std::string bend;
+  for (int i = 0; i <= 20; ++i) {
+    const double turned_rad = 0.05 * (i - 20);
+    bend += fmt::format("{}[{:.6f}, {:.6f}]", bend.empty() ? "" : ", ",
+                        30.0 * std::cos(turned_rad) - 12.0, 30.0 * std::sin(turned_rad));
+  }
+  const std::string start = bend.substr(0, bend.find(']') + 1);
+  const std::string asked = "path: {continuous_turns: true}\nplanner: {swath_direction_deg: 0}\n";
+  const JobPlan plan =
+      planned(job(kWest, "roads: [[" + bend + "]]\nstart: " + start + "\n" + asked));
+  const nlohmann::ordered_json json = job_json(plan, {}, "1");
+  const nlohmann::ordered_json field = job_json(planned(job(kWest, asked)), {}, "1");
+  EXPECT_EQ(field["abrupt_turns"], 0);
+  EXPECT_EQ(json["abrupt_turns"], 1);
+  EXPECT_GT(field["abrupt_joints"], 0) << "its headland pass ends in a bend";
+  EXPECT_EQ(json["abrupt_joints"], field["abrupt_joints"]) << "the way in reaches a straight swath";
 }
 
 TEST_F(Jobs, EachFieldMayHaveItsPlanner) {

@@ -22,7 +22,7 @@ Field strip_of_road() { return field_of("road", rectangle_ring(-10, -10, 130, 40
 // Out of a field of 40 by 30 m, and along a road that bends by 17 degrees.
 TransitRequest out_of_a_field() {
   TransitRequest request;
-  request.from = Pose{{20, 20}, 0.0};
+  request.from = PathPoint{{20, 20}, 0.0, 0.0};
   request.way_W = {{50, 5}, {80, 5}, {118, 17}};
   request.leaving = strip_of_road();
   request.road = strip_of_road();
@@ -93,6 +93,19 @@ TEST(Transits, BendNoFasterThanTheWheelsTurnWhereAsked) {
   const Path path = transit_path(out_of_a_field(), vehicle, options);
   EXPECT_EQ(path.abrupt_turns, 0);
   EXPECT_LT(greatest_jump_per_m(path), (1.0 + 1e-6) * step_per_m);
+  EXPECT_EQ(path.abrupt_joints, 0);
+  // Ends of passes that bend are told, where the turns themselves do not jump.
+  TransitRequest off_bends = out_of_a_field();
+  off_bends.from->curvature_per_m = 2.0 * kJointJump_per_m;
+  off_bends.to = PathPoint{{120, 5}, 0.0, -2.0 * kJointJump_per_m};
+  off_bends.way_W = {{50, 5}, {80, 5}};
+  EXPECT_EQ(transit_path(off_bends, vehicle, options).abrupt_turns, 0);
+  EXPECT_EQ(transit_path(off_bends, vehicle, options).abrupt_joints, 2);
+  off_bends.to->curvature_per_m = 0.5 * kJointJump_per_m;
+  EXPECT_EQ(transit_path(off_bends, vehicle, options).abrupt_joints, 1);
+  options.continuous_turns = false;
+  EXPECT_EQ(transit_path(off_bends, vehicle, options).abrupt_joints, 0) << "nobody asked";
+  options.continuous_turns = true;
   // A road without a straight before its bend leaves none for a ramp.
   TransitRequest bent = out_of_a_field();
   bent.from.reset();
