@@ -106,9 +106,11 @@ Image picture_of(const AuditInput& input, const Audit& audit, const std::vector<
   const Path path = drawn_path(lines);
   const RunRecord not_driven;
   const Verdict verdict = audit_verdict(audit);
-  return draw_field_map({input.field, level, input.vehicle, path, not_driven, audit.raster,
-                         &verdict, fs::path(options.path).filename().string()},
-                        picture_size(options.common));
+  PictureScene scene{
+      input.field, level,        input.vehicle, path,
+      not_driven,  audit.raster, &verdict,      fs::path(options.path).filename().string()};
+  scene.terrain_known = false;
+  return draw_field_map(scene, picture_size(options.common));
 }
 
 std::string summary_of(const Audit& audit, const AuditInput& input) {

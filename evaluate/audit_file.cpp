@@ -134,8 +134,7 @@ Verdict audit_verdict(const Audit& audit) {
                                fmt::format("Missed, {:.0f} m²", patch.area_m2),
                                fmt::format("{:.0f} m² are never worked", patch.area_m2)});
   }
-  verdict.grade =
-      passes(audit) ? (audit.missed.empty() ? Grade::kPass : Grade::kWarn) : Grade::kFail;
+  verdict.grade = passes(audit) ? Grade::kPass : Grade::kFail;
   return verdict;
 }
 

@@ -18,7 +18,8 @@ nlohmann::ordered_json audit_json(const Audit& audit, const Field& field, const 
 std::string audit_place_text(const AuditPlace& place);
 
 // The worst places of every fault and the largest missed patches as a verdict's reasons, each
-// marked on pictures: faults fail, missed ground warns.
+// marked on pictures: faults fail, missed ground alone is a warning that leaves the grade at PASS,
+// as passes() says.
 Verdict audit_verdict(const Audit& audit);
 
 // The lines as a path, for pictures: worked lines are swaths, others turns.

@@ -161,8 +161,7 @@ Image draw_field_map(const PictureScene& scene, const PictureSize& size) {
   legend_coverage(legend, scene);
   legend_path(legend, scene);
   legend_field(legend, scene);
-  legend_gap(legend, 10);
-  legend_relief(legend, view);
+  legend_relief(legend, scene, view);
   draw_map_frame(sheets.margin, typeface, page, view);
 
   SurfaceLook look;

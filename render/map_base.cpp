@@ -241,7 +241,9 @@ void legend_field(Legend& legend, const PictureScene& scene) {
   }
 }
 
-void legend_relief(Legend& legend, const MapView& view) {
+void legend_relief(Legend& legend, const PictureScene& scene, const MapView& view) {
+  if (!scene.terrain_known) return;
+  legend_gap(legend, 10);
   legend_heading(legend, "Relief");
   const double relief_m = view.heights.high_m - view.heights.low_m;
   if (view.contour_m <= 0.0) {

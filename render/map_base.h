@@ -55,9 +55,9 @@ void draw_start_and_end(Sheet& sheet, const PictureScene& scene, const Page& pag
 // The machine at a moment of the run.
 void mark_vehicle(Sheet& sheet, const Page& page, const Eigen::Vector2d& p_px, double yaw_rad);
 
-// Legend entries of the two functions above, of what the field has.
+// Legend entries of the two functions above, of what the field has and what is known of it.
 void legend_field(Legend& legend, const PictureScene& scene);
-void legend_relief(Legend& legend, const MapView& view);
+void legend_relief(Legend& legend, const PictureScene& scene, const MapView& view);
 void legend_start_and_end(Legend& legend, const PictureScene& scene);
 
 // Frame of the map with the coordinates of W along it, scale bar, north arrow.

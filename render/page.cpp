@@ -31,14 +31,16 @@ void write_verdict(Sheet& sheet, Typeface& typeface, const Page& page, const Ver
              colours::kPaper, Align::kCentre);
   const TextStyle body = page.text(kBody, true);
   std::string why = "Every judged figure is within its limits.";
+  Rgba colour = grade_colour(verdict.grade);
   if (!verdict.reasons.empty()) {
     why = verdict.reasons.front().text;
+    colour = grade_colour(verdict.reasons.front().grade);
     if (verdict.reasons.size() > 1)
       why += fmt::format("  (and {} more)", verdict.reasons.size() - 1);
   }
   const double room = page.column.right() - page.main.x;
   write_text(sheet, typeface, {page.main.x, page.px(100)}, fitted_text(typeface, why, body, room),
-             body, grade_colour(verdict.grade));
+             body, colour);
 }
 
 }  // namespace

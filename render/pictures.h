@@ -34,6 +34,8 @@ struct PictureScene {
   std::optional<double> moment_s{};
   // What a damaged record lacks, for the title. Ground that is not worked there may have been.
   std::string missing{};
+  // False: level ground stands in for the terrain, which pictures then say nothing of.
+  bool terrain_known = true;
 };
 
 // Pixels, at least 240 x 240; the largest size depends on OpenGL and memory (8192 x 8192 works).

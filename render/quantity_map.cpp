@@ -33,8 +33,7 @@ Image draw_quantity_map(const PictureScene& scene, const PictureSize& size, Path
   legend_way(legend, colours);
   legend_field(legend, scene);
   legend_start_and_end(legend, scene);
-  legend_gap(legend, 10);
-  legend_relief(legend, view);
+  legend_relief(legend, scene, view);
   draw_map_frame(sheets.margin, typeface, page, view);
 
   const GlContext context;

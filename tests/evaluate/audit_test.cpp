@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "evaluate/audit_file.h"
 #include "evaluate/plan_file.h"
 #include "planner/arcs.h"
 #include "planner/drivable_path.h"
@@ -212,6 +213,22 @@ TEST(Audit, CountsWhatTheImplementCoversAndMisses) {
   // A gap of a metre between the rows is no patch of its own: it opens to the rest at both ends.
   ASSERT_EQ(rows(width_m + 1.0, true).missed.size(), 1U);
   EXPECT_NEAR(beside.missed.front().area_m2, beside.coverage.missed_m2, 1e-9);
+}
+
+// Pictures wear the grade, texts and exit codes tell passes().
+TEST(Audit, IsGradedAsItPasses) {
+  const auto graded = [](double to_x_m) {
+    return audit_path(audited_field(), load_vehicle("transplanter"),
+                      {{{{10, 20}, {to_x_m, 20}}, true, false}}, kAuditCell_m);
+  };
+  const Audit inside = graded(50.0);
+  ASSERT_TRUE(passes(inside));
+  const Verdict missed = audit_verdict(inside);
+  EXPECT_EQ(missed.grade, Grade::kPass);
+  ASSERT_FALSE(missed.reasons.empty()) << "nearly all of the field is not worked";
+  EXPECT_EQ(missed.reasons.front().grade, Grade::kWarn);
+  ASSERT_FALSE(passes(graded(65.0)));
+  EXPECT_EQ(audit_verdict(graded(65.0)).grade, Grade::kFail);
 }
 
 TEST(Audit, RefusesAPathWithoutLength) {

@@ -89,6 +89,25 @@ TEST(FieldMap, ShowsGroundInTheColoursOfItsLegend) {
   }
 }
 
+TEST(FieldMap, SaysNothingOfTerrainThatItDoesNotKnow) {
+  const MadeRun made = level_run(100.0, 60.0, 20.0);
+  const Page page = page_of(kSize);
+  const auto inked = [&](const PictureScene& scene) {
+    const Image image = draw_field_map(scene, kSize);
+    int pixels = 0;
+    for (double x = page.column.x; x < page.column.right(); ++x) {
+      for (double y = page.column.y; y < page.column.bottom(); ++y) {
+        pixels += pixel(image, x, y) == colours::kInk || pixel(image, x, y) == colours::kRule;
+      }
+    }
+    return pixels;
+  };
+  PictureScene unknown = made.scene();
+  unknown.terrain_known = false;
+  // A heading less, with the rule below it.
+  EXPECT_LT(inked(unknown), inked(made.scene()) - page.column.width);
+}
+
 TEST(FieldMap, CallsNothingMissedThatARecordMayHaveLost) {
   const MadeRun made = level_run(100.0, 60.0, 20.0);
   PictureScene scene = made.scene();
