@@ -21,8 +21,10 @@ namespace {
 std::string prepare(const Job& job, bool quiet) {
   if (job.scenario.path_file.empty()) {
     const PlanResult result = plan_with_progress(job, quiet);
-    warn_of_left_out(job, result);
-    return predicted_row(result) + left_out_rows(result.path, field_area_m2(job.stage.field)) +
+    const CoverageFigures coverage =
+        result.path.left_out.empty() ? CoverageFigures{} : coverage_of(job, result);
+    warn_of_left_out(job, result, coverage);
+    return predicted_row(result) + left_out_rows(result.path, coverage, job.scenario.path) +
            path_notes(result.path) + grid_notes(result) + notes_text(result.notes);
   }
   const std::optional<TrackReport> track = given_path_with_progress(job, quiet);

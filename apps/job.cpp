@@ -11,6 +11,7 @@
 #include "apps/plan_summary.h"
 #include "apps/progress.h"
 #include "apps/summary.h"
+#include "apps/summary_rows.h"
 #include "apps/terminal_text.h"
 #include "evaluate/atomic_file.h"
 #include "evaluate/audit.h"
@@ -50,22 +51,17 @@ nlohmann::ordered_json report_json(const JobPlan& plan, const Audit& audit,
   return json;
 }
 
-double fields_m2(const JobPlan& plan) {
-  double sum_m2 = 0.0;
-  for (const JobPart& part : plan.parts) sum_m2 += part.area_m2;
-  return sum_m2;
-}
-
-void warn_of_left_out(const JobPlan& plan, const JobSpec& spec) {
-  std::vector<PlannerChoice> planners;
-  for (const JobField& field : spec.fields) planners.push_back(field.planner);
-  print_warning(left_out_warning(plan.path, fields_m2(plan), planners, spec.common.path));
+void warn_of_left_out(const JobPlan& plan, const Audit& audit, const JobSpec& spec) {
+  std::vector<PlannedField> fields;
+  for (const JobField& field : spec.fields) fields.push_back({field.name, field.planner});
+  print_warning(left_out_warning(plan.path, audit.coverage, fields, spec.common.path));
 }
 
 std::string part_row(const JobPart& part, const JobPartRun* run) {
-  const std::string name = part.transit ? fmt::format("transit {} to {}", part.from, part.to)
-                                        : fmt::format("{}, {:.3f} ha, {} passes", part.name,
-                                                      part.area_m2 / kHectare_m2, part.passes);
+  const std::string name =
+      part.transit ? fmt::format("transit {} to {}", part.from, part.to)
+                   : fmt::format("{}, {:.3f} ha, {}", part.name, part.area_m2 / kHectare_m2,
+                                 counted(part.passes, "pass", "passes"));
   std::string text = fmt::format("  {:<40} {:>8.0f} m  {:>9}", terminal_text(name), part.length_m,
                                  duration_text(part.expected_time_s));
   if (run != nullptr) {
@@ -96,18 +92,18 @@ std::string summary_of(const JobPlan& plan, const Audit& audit,
   text += fmt::format("  {:<40} {:>8.0f} m  {:>9}\n", "of it transits", transits.length_m,
                       duration_text(transits.expected_time_s));
   const CoverageFigures& coverage = audit.coverage;
-  text += fmt::format("  audit: {}, {} places; covered {:.2f} % of {:.3f} ha, overlap {:.2f} %\n",
-                      passes(audit) ? "PASS" : "FAIL", audit.places.size(),
-                      100.0 * coverage.covered_m2 / coverage.workable_m2,
-                      coverage.workable_m2 / kHectare_m2,
-                      100.0 * coverage.overlap_m2 / coverage.workable_m2);
+  text += fmt::format(
+      "  audit: {}, {}; covered {:.2f} % of {:.3f} ha, overlap {:.2f} %\n",
+      passes(audit) ? "PASS" : "FAIL", counted(audit.places.size(), "place", "places"),
+      100.0 * coverage.covered_m2 / coverage.workable_m2, coverage.workable_m2 / kHectare_m2,
+      100.0 * coverage.overlap_m2 / coverage.workable_m2);
   for (const PathViolation& violation : plan.path.violations) {
     text += fmt::format("  does not fit at x {:.1f}, y {:.1f} m: {}\n", violation.p_W.x(),
                         violation.p_W.y(), violation.what);
   }
   for (const std::string& note : plan.stage.notes) text += "note: " + terminal_text(note) + "\n";
-  return text + left_out_rows(plan.path, fields_m2(plan)) +
-         over_worked_row(plan.stage, plan.path) + path_notes(plan.path);
+  return text + left_out_rows(plan.path, coverage, plan.scenario.path) +
+         over_worked_row(plan.stage, plan.path, plan.scenario.path) + path_notes(plan.path);
 }
 
 JobSpec spec_of(const CommonOptions& options) {
@@ -131,7 +127,7 @@ int run_job(const JobOptions& options) {
     check_coverage_size(plan.stage.field, plan.scenario.working_width_m,
                         plan.scenario.coverage_cell_m, common.scenario);
     audit = audit_of(plan);
-    warn_of_left_out(plan, spec);
+    warn_of_left_out(plan, *audit, spec);
   }
   plan.scenario.path_file = folder / kPathFile;
   const GeoFrame& frame = plan.stage.field.frame;

@@ -28,11 +28,13 @@ int plan(const CommonOptions& options) {
     fmt::print(stderr, "headland: removed what an earlier drive had left in {}\n",
                terminal_text(job.folder.string()));
   }
-  warn_of_left_out(job, result);
+  const bool told = options.json || !options.quiet || !result.path.left_out.empty();
+  const CoverageFigures coverage = told ? coverage_of(job, result) : CoverageFigures{};
+  warn_of_left_out(job, result, coverage);
   if (options.json) {
-    fmt::print("{}\n", json_text(plan_summary_json(job, result), 2));
+    fmt::print("{}\n", json_text(plan_summary_json(job, result, coverage), 2));
   } else if (!options.quiet) {
-    fmt::print("{}\nplan and path are in {}\n", plan_summary(job, result),
+    fmt::print("{}\nplan and path are in {}\n", plan_summary(job, result, coverage),
                terminal_text(job.folder.string()));
   }
   return kExitRan;

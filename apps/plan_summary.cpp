@@ -76,30 +76,32 @@ std::string headland_rows(const Plan& plan) {
   return text;
 }
 
+// What the plan works comes first, and then what it leaves out.
+std::string work_rows(const Job& job, const PlanResult& result, const CoverageFigures& coverage) {
+  return summary_row("works",
+                     fmt::format("{:.2f} %", 100.0 * coverage.covered_m2 / coverage.workable_m2),
+                     fmt::format("of {}; {:.0f} m² stay unworked", hectares(coverage.workable_m2),
+                                 coverage.missed_m2)) +
+         left_out_rows(result.path, coverage, job.scenario.path);
+}
+
+}  // namespace
+
 CoverageFigures coverage_of(const Job& job, const PlanResult& result) {
   return planned_coverage(job.stage.field, job.stage.vehicle, result.path,
                           job.scenario.coverage_cell_m);
 }
 
-// What the plan works comes first, and then what it leaves out.
-std::string work_rows(const Job& job, const PlanResult& result) {
-  const CoverageFigures coverage = coverage_of(job, result);
-  return summary_row("works",
-                     fmt::format("{:.2f} %", 100.0 * coverage.covered_m2 / coverage.workable_m2),
-                     fmt::format("of {}; {:.0f} m² stay unworked", hectares(coverage.workable_m2),
-                                 coverage.missed_m2)) +
-         left_out_rows(result.path, field_area_m2(job.stage.field));
-}
-
-}  // namespace
-
-std::string over_worked_row(const Stage& stage, const Path& path) {
+std::string over_worked_row(const Stage& stage, const Path& path, const PathOptions& options) {
   const DrivenOverWorked over = driven_over_worked(stage.field, stage.vehicle, path);
-  if (over.stretches == 0) return "";
+  if (over.stretches == 0) {
+    return options.keep_off_worked ? summary_row("over worked rows", "0 m", "implement up") : "";
+  }
   return summary_row(
       "over worked rows", fmt::format("{:.0f} m", over.length_m),
-      fmt::format("implement up, in {} place{}, the longest from x {:.1f}, y {:.1f} m",
-                  over.stretches, over.stretches == 1 ? "" : "s", over.p_W.x(), over.p_W.y()));
+      fmt::format("implement up, in {}, the longest from x {:.1f}, y {:.1f} m",
+                  counted(static_cast<std::size_t>(over.stretches), "place", "places"),
+                  over.p_W.x(), over.p_W.y()));
 }
 
 std::string predicted_row(const PlanResult& result) {
@@ -114,8 +116,8 @@ std::string predicted_row(const PlanResult& result) {
 std::string path_notes(const Path& path) {
   std::string text;
   if (!path.cut_back_m.empty()) {
-    text += fmt::format("  {} ends of passes cut back by up to {:.1f} m to make room for turns\n",
-                        path.cut_back_m.size(),
+    text += fmt::format("  {} cut back by up to {:.1f} m to make room for turns\n",
+                        counted(path.cut_back_m.size(), "end of a pass", "ends of passes"),
                         *std::max_element(path.cut_back_m.begin(), path.cut_back_m.end()));
   }
   if (path.abrupt_turns > 0) {
@@ -147,7 +149,8 @@ std::string grid_notes(const PlanResult& result) {
   }
   for (std::size_t i = 0; i < drive.unworked.size(); ++i) {
     if (i == kCellsTold) {
-      return text + fmt::format("  and {} more cells, all in {}\n", drive.unworked.size() - i,
+      return text + fmt::format("  and {}, all in {}\n",
+                                counted(drive.unworked.size() - i, "more cell", "more cells"),
                                 kGridPlanFile);
     }
     const UnworkedCell& cell = drive.unworked[i];
@@ -157,10 +160,11 @@ std::string grid_notes(const PlanResult& result) {
   return text;
 }
 
-std::string plan_summary(const Job& job, const PlanResult& result) {
+std::string plan_summary(const Job& job, const PlanResult& result,
+                         const CoverageFigures& coverage) {
   std::string text =
-      headline(job) + "\n" + work_rows(job, result) + summary_row("planner", result.plan.planner) +
-      grid_rows(result) +
+      headline(job) + "\n" + work_rows(job, result, coverage) +
+      summary_row("planner", result.plan.planner) + grid_rows(result) +
       summary_row("swath direction",
                   fmt::format("{:.1f} deg", degrees(result.plan.swath_direction_rad)),
                   "counter-clockwise from east") +
@@ -174,8 +178,8 @@ std::string plan_summary(const Job& job, const PlanResult& result) {
     text += summary_row(fmt::format("{} x {}", count, path_kind_name(kind)),
                         fmt::format("{:.0f} m", length_of_m(result.path, kind)));
   }
-  text += over_worked_row(job.stage, result.path) + path_notes(result.path) + grid_notes(result) +
-          notes_text(job.stage.notes) + notes_text(result.notes);
+  text += over_worked_row(job.stage, result.path, job.scenario.path) + path_notes(result.path) +
+          grid_notes(result) + notes_text(job.stage.notes) + notes_text(result.notes);
   for (const PathViolation& violation : result.path.violations) {
     text += fmt::format("  does not fit at x {:.1f}, y {:.1f} m: {}\n", violation.p_W.x(),
                         violation.p_W.y(), violation.what);
@@ -183,19 +187,19 @@ std::string plan_summary(const Job& job, const PlanResult& result) {
   return text;
 }
 
-Json plan_summary_json(const Job& job, const PlanResult& result) {
+Json plan_summary_json(const Job& job, const PlanResult& result, const CoverageFigures& coverage) {
   Json json;
   json["headland"] = {{"version", HEADLAND_VERSION}};
   json["scenario"] = {{"name", job.scenario.name},
                       {"field_area_m2", field_area_m2(job.stage.field)},
                       {"seed", job.scenario.seed}};
-  const CoverageFigures coverage = coverage_of(job, result);
   json["coverage"] = {{"workable_m2", coverage.workable_m2},
                       {"worked_m2", coverage.covered_m2},
                       {"unworked_m2", coverage.missed_m2},
                       {"worked_ratio", coverage.covered_m2 / coverage.workable_m2}};
-  json["left_out_m2"] = left_out_m2(result.path);
-  json["left_out_ratio"] = left_out_m2(result.path) / field_area_m2(job.stage.field);
+  const LeftOutGround left_out = left_out_ground(result.path, coverage);
+  json["left_out_m2"] = left_out.area_m2;
+  json["left_out_ratio"] = left_out.ratio;
   json["planner"] = result.plan.planner;
   json["swath_direction_rad"] = result.plan.swath_direction_rad;
   json["headland_width_m"] = result.plan.headland_width_m;
@@ -264,9 +268,11 @@ Json plan_summary_json(const Job& job, const PlanResult& result) {
 }
 
 std::string track_summary(const TrackReport& report) {
-  std::string text = fmt::format(
-      "track made drivable: {} pieces, {} corners cut, at most {:.2f} m from its points\n",
-      report.pieces, report.cut_corners, report.max_deviation_m);
+  std::string text =
+      fmt::format("track made drivable: {}, {} cut, at most {:.2f} m from its points\n",
+                  counted(static_cast<std::size_t>(report.pieces), "piece", "pieces"),
+                  counted(static_cast<std::size_t>(report.cut_corners), "corner", "corners"),
+                  report.max_deviation_m);
   for (const std::string& note : report.notes) text += "  " + note + "\n";
   return text;
 }

@@ -5,11 +5,16 @@
 #include <string>
 
 #include "apps/stages.h"
+#include "evaluate/coverage.h"
 
 namespace headland {
 
-std::string plan_summary(const Job& job, const PlanResult& result);
-nlohmann::ordered_json plan_summary_json(const Job& job, const PlanResult& result);
+// What the path works of the field. Throws InputError as planned_coverage.
+CoverageFigures coverage_of(const Job& job, const PlanResult& result);
+
+std::string plan_summary(const Job& job, const PlanResult& result, const CoverageFigures& coverage);
+nlohmann::ordered_json plan_summary_json(const Job& job, const PlanResult& result,
+                                         const CoverageFigures& coverage);
 
 // The energy that measured costs predict for the plan; empty where there are none.
 std::string predicted_row(const PlanResult& result);
@@ -19,8 +24,9 @@ std::string predicted_row(const PlanResult& result);
 // to say.
 std::string path_notes(const Path& path);
 
-// How far wheels run over rows that are worked, implement up; empty where they do not.
-std::string over_worked_row(const Stage& stage, const Path& path);
+// How far wheels run over rows that are worked, implement up; empty where they do not, unless
+// `options` ask them to keep off.
+std::string over_worked_row(const Stage& stage, const Path& path, const PathOptions& options);
 
 // Lines on the cells of a grid plan that cannot be worked; empty for other plans.
 std::string grid_notes(const PlanResult& result);

@@ -15,6 +15,10 @@ std::string hectares(double area_m2) {
   return fmt::format("{:.3f} ha", area_m2 / kSquareMetresPerHa);
 }
 
+std::string counted(std::size_t count, std::string_view one, std::string_view several) {
+  return fmt::format("{} {}", count, count == 1 ? one : several);
+}
+
 std::string summary_row(std::string_view label, const std::string& value, const std::string& note) {
   const std::string line = fmt::format("  {:<26}{:>12}   {}", label, value, note);
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
