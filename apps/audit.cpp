@@ -8,6 +8,7 @@
 
 #include "apps/commands.h"
 #include "apps/interrupt.h"
+#include "apps/summary_rows.h"
 #include "apps/terminal_text.h"
 #include "evaluate/atomic_file.h"
 #include "evaluate/audit.h"
@@ -117,12 +118,14 @@ std::string summary_of(const Audit& audit, const AuditInput& input) {
   const CoverageFigures& coverage = audit.coverage;
   const auto share = [&](double area_m2) { return 100.0 * area_m2 / coverage.workable_m2; };
   std::string text = fmt::format(
-      "{}: {:.2f} km with {}, {:.2f} km at work, {:.0f} m in reverse, {} gear changes\n",
+      "{}: {:.2f} km with {}, {:.2f} km at work, {:.0f} m in reverse, {}\n",
       terminal_text(input.field.name), 1e-3 * audit.length_m, input.vehicle.name,
-      1e-3 * audit.working_length_m, audit.reverse_length_m, audit.gear_changes);
+      1e-3 * audit.working_length_m, audit.reverse_length_m,
+      counted(static_cast<std::size_t>(audit.gear_changes), "gear change", "gear changes"));
   for (const AuditFault fault : kEveryAuditFault) {
     const AuditTotals& totals = audit.totals[static_cast<std::size_t>(fault)];
-    text += fmt::format("  {:<12} {:>5} places", audit_fault_name(fault), totals.places);
+    text += fmt::format("  {:<12} {:>5} {}", audit_fault_name(fault), totals.places,
+                        totals.places == 1 ? "place" : "places");
     if (totals.places > 0) {
       text += fmt::format(", {:.1f} m, {} of {} states, worst {:.2f} m", totals.length_m,
                           totals.states, audit.states, totals.worst);
@@ -130,13 +133,14 @@ std::string summary_of(const Audit& audit, const AuditInput& input) {
     text += "\n";
   }
   text += fmt::format(
-      "  covered {:.2f} % of {:.3f} ha, overlap {:.2f} %, outside {:.2f} %; {} patches missed\n",
+      "  covered {:.2f} % of {:.3f} ha, overlap {:.2f} %, outside {:.2f} %; {} missed\n",
       share(coverage.covered_m2), 1e-4 * coverage.workable_m2, share(coverage.overlap_m2),
-      share(coverage.outside_m2), audit.missed.size());
+      share(coverage.outside_m2), counted(audit.missed.size(), "patch", "patches"));
   const DrivenOverWorked& over = audit.over_worked;
   text += fmt::format("  {:.1f} m over worked ground, implement up", over.length_m);
   if (over.stretches > 0) {
-    text += fmt::format(", in {} places, the longest from x {:.1f} m, y {:.1f} m", over.stretches,
+    text += fmt::format(", in {}, the longest from x {:.1f} m, y {:.1f} m",
+                        counted(static_cast<std::size_t>(over.stretches), "place", "places"),
                         over.p_W.x(), over.p_W.y());
   }
   text += "\n";
@@ -156,9 +160,9 @@ int run_audit(const AuditOptions& options) {
   if (!folder.empty()) check_output_folder(folder);
   static_cast<void>(picture_size(options.common));
   const InterruptAtOnce at_once;
-  const AuditInput input = input_of(options);
+  AuditInput input = input_of(options);
   check_coverage_size(input.field, input.vehicle.implement.working_width_m, input.cell_m, "--cell");
-  const std::vector<PathLine> lines = read_path_lines(options.path, input.field);
+  const std::vector<PathLine> lines = read_path_lines(options.path, input.field, &input.notes);
   const Audit audit = audit_path(input.field, input.vehicle, lines, input.cell_m, options.path);
   const nlohmann::ordered_json json =
       audit_json(audit, input.field, input.vehicle, fs::path(options.path).filename().string(),

@@ -191,6 +191,7 @@ GivenTrack track_from_csv(const std::filesystem::path& path, const GeoFrame& fra
     }
     track.points.push_back({given, i > 0, after_pause, down, row.line});
   }
+  track.of_implement = reference && !track.of_vehicle;
   if (!table.rows.empty() && std::ranges::none_of(track.points, &GivenPoint::down)) {
     refuse_never_down(path, table.header.cells[*implement]);
   }
@@ -223,6 +224,7 @@ GivenTrack track_from_vector_file(const std::filesystem::path& path, const GeoFr
       track.of_vehicle =
           is_of_vehicle(feature->GetFieldAsString(whose.c_str()), first, track.of_vehicle, path,
                         fmt::format("feature {}, {}", number, whose));
+      track.of_implement = !track.of_vehicle;
     }
     crs = crs_of(*layer);
     // The layers of a GPX file tell the same track several times.

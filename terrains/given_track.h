@@ -25,6 +25,7 @@ struct GivenTrack {
   std::vector<GivenPoint> points;
   bool degrees = false;
   bool of_vehicle = false;          // of its reference point, not of the implement
+  bool of_implement = false;        // and told so
   double longest_interval_s = 0.0;  // that is no pause; 0 without times
   std::string_view counted = "line";
 };

@@ -219,8 +219,14 @@ Track read_track(const std::filesystem::path& path, const Field& field) {
   return track;
 }
 
-std::vector<PathLine> read_path_lines(const std::filesystem::path& path, const Field& field) {
+std::vector<PathLine> read_path_lines(const std::filesystem::path& path, const Field& field,
+                                      std::vector<std::string>* notes) {
   const PlacedTrack placed = placed_track(path, field);
+  if (notes != nullptr && placed.given.of_implement) {
+    notes->push_back(path.filename().string() +
+                     ": its reference is the implement, but its points are taken as the way of the "
+                     "vehicle's reference point");
+  }
   require_at_field(placed.given, placed.points_W, field, path.string());
   std::vector<PathLine> lines;
   for (std::size_t i = 0; i < placed.points_W.size(); ++i) {

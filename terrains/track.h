@@ -54,8 +54,10 @@ struct PathLine {
 
 // The same files as lines: where the implement goes up or down a new line begins at the last point
 // of the one before. Pauses and jumps are left as they are. Throws InputError as read_track does,
-// also for what is driven with the implement up, but for no jump.
-std::vector<PathLine> read_path_lines(const std::filesystem::path& file, const Field& field);
+// also for what is driven with the implement up, but for no jump. A note tells of a file that says
+// its points are the implement's way, as lines are read as the vehicle's.
+std::vector<PathLine> read_path_lines(const std::filesystem::path& file, const Field& field,
+                                      std::vector<std::string>* notes = nullptr);
 
 inline constexpr double kLogGapFactor = 3.0;
 inline constexpr double kPauseTurn_rad = 0.5235987755982988;  // 30 deg
