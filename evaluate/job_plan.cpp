@@ -40,6 +40,7 @@ Plan planned_from(const JobSpec& job, const JobGround& ground, const Stage& stag
     return find_planner(given.planner.name, source).plan(request);
   } catch (const InputError& refused) {
     const InputError in_job = as_in_scenario(refused, source, given.planner);
+    if (in_job.source != source) throw;
     throw InputError(source, in_job.where, in_job.value,
                      fmt::format("{} (field '{}')", in_job.allowed, given.name));
   } catch (const PlanInfeasible& refused) {
