@@ -14,6 +14,7 @@
 #include "terrains/grid_field.h"
 #include "terrains/input_error.h"
 #include "terrains/json_text.h"
+#include "tests/evaluate/scenario_fixture.h"
 
 namespace headland {
 namespace {
@@ -21,18 +22,11 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-class GridScenarioTest : public ::testing::Test {
+class GridScenarioTest : public test::ScenarioTest {
  protected:
   void SetUp() override {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
+    ScenarioTest::SetUp();
     std::ofstream(folder_ / "map.txt") << "......\n......\n..##..\n......\n";
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  Scenario read(const std::string& yaml) {
-    std::ofstream(folder_ / "grid.yaml") << yaml;
-    return read_scenario(folder_ / "grid.yaml");
   }
 
   std::string refusal(const std::string& yaml) {
@@ -43,10 +37,6 @@ class GridScenarioTest : public ::testing::Test {
     }
     return "(accepted)";
   }
-
-  const std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) /
-      ::testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 const std::string kMapField = "field: {grid_map: map.txt}\nvehicle: transplanter\n";

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "evaluate/scenario.h"
-#include "scenario_fixture.h"
 #include "terrains/input_error.h"
+#include "tests/evaluate/scenario_fixture.h"
 
 namespace headland {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "evaluate/scenario_keys.h"
-#include "scenario_fixture.h"
+#include "tests/evaluate/scenario_fixture.h"
 #include "vehicle_models/vehicle_loader.h"
 
 namespace headland {
