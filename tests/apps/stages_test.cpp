@@ -102,6 +102,19 @@ TEST_F(StagesTest, PlanTellsWhichPassesAreLeftOut) {
   }
 }
 
+TEST_F(StagesTest, PlanTellsThatWheelsKeptOffRows) {
+  write("rows.yaml",
+        "field: {boundary: [[0, 0], [14, 0], [14, 8], [14.5, 8], [14.5, 6.5], [17.4, 6.5], "
+        "[17.4, 10.5], [14.5, 10.5], [14.5, 9], [14, 9], [14, 14], [0, 14]]}\n"
+        "vehicle: transplanter\nplanner: {headland_corners: covered}\n"
+        "path: {keep_off_worked: true}\n");
+  const CommandResult told = headland("plan rows.yaml -o DIR");
+  ASSERT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_THAT(told.out, HasSubstr("over worked rows                   0 m"));
+  EXPECT_THAT(told.out, HasSubstr("(path.keep_off_worked) may be why"));
+  EXPECT_THAT(told.err, HasSubstr("path.keep_off_worked: false"));
+}
+
 TEST_F(StagesTest, AFailingVerdictExitsWith1) {
   write("tiny.yaml", kTinyScenario + "verdict: {reserve_soc_min: {warn: 1, fail: 1}}\n");
   const CommandResult result = headland(kEvaluateTiny + "DIR");
