@@ -76,7 +76,8 @@ int drive(const DriveOptions& options) {
                      "no path to drive: give the folder that 'headland plan' wrote, or --path FILE "
                      "(path.file in the scenario)");
   }
-  const std::optional<TrackReport> track = prepare_path(job, given, from_plan, options.common.quiet);
+  const std::optional<TrackReport> track =
+      prepare_path(job, given, from_plan, options.common.quiet);
   stop_if_interrupted();
   DriveResult result = drive_with_progress(job, options.common);
   if (options.common.json) {
