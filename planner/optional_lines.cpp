@@ -56,17 +56,20 @@ struct Waiting {
   std::vector<std::size_t> lines;
   std::vector<char> may_begin;  // of all lines: a path may begin with it, and has not yet
   std::vector<int> tries;       // of all lines
+  // A part is left for another when all its lines are driven or given up.
+  bool finishes_parts = false;
 };
 
 Waiting waiting_for(const LineDriving& driving, const RoomyParts& parts,
                     const std::vector<std::size_t>& lines) {
   const std::size_t count = driving.joining.lines.size();
-  Waiting waiting{lines, std::vector<char>(count, 0), std::vector<int>(count, 0)};
+  Waiting waiting{lines, std::vector<char>(count, 0), std::vector<int>(count, 0), false};
   if (!driving.driven.empty()) return waiting;
   const int part = main_part(driving, parts, lines);
   const auto in_main_part = [&](std::size_t line) { return driving.parts[line].begin == part; };
   for (const std::size_t line : lines) waiting.may_begin[line] = in_main_part(line) ? 1 : 0;
-  std::ranges::rotate(waiting.lines, std::ranges::find_if(waiting.lines, in_main_part));
+  std::rotate(waiting.lines.begin(), std::ranges::find_if(waiting.lines, in_main_part),
+              waiting.lines.end());
   return waiting;
 }
 
@@ -82,8 +85,7 @@ bool begin_with(LineDriving& driving, Waiting& waiting, std::size_t line) {
   return true;
 }
 
-// Drives one of the lines that wait; false when none of them can be come to. A part is finished
-// before it is left: a tight gap may lead one way only.
+// Drives one of the lines that wait; false when none of them can be come to.
 bool drive_one(LineDriving& driving, Waiting& waiting) {
   const int from_part =
       driving.driven.empty() ? kNoPart : driving.parts[driving.driven.back().line].end;
@@ -91,11 +93,11 @@ bool drive_one(LineDriving& driving, Waiting& waiting) {
     return from_part != kNoPart &&
            (driving.parts[line].begin == from_part || driving.other_parts[line].begin == from_part);
   };
-  const bool finished = std::ranges::none_of(waiting.lines, is_here);
+  const bool stays = waiting.finishes_parts && std::ranges::any_of(waiting.lines, is_here);
   std::size_t failed = 0;
   const auto reached = std::ranges::find_if(waiting.lines, [&](std::size_t line) {
     if (driving.driven.empty()) return begin_with(driving, waiting, line);
-    if (!finished && !is_here(line)) return false;
+    if (stays && !is_here(line)) return false;
     if (failed >= kLinesTried || is_apart(driving, from_part, line)) return false;
     if (drive_next(driving, line)) return true;
     ++failed;
@@ -121,10 +123,14 @@ void keep_longest(const LineDriving& driving, Longest& longest) {
   if (points > longest.points) longest = {points, driving.driven, driving.turned};
 }
 
-void go_back_to(Longest longest, LineDriving& driving) {
-  for (const DrivenLine& line : longest.driven) {
-    if (driving.turned[line.line] != longest.turned[line.line]) turn_round(driving, line.line);
+void lie_as(const std::vector<char>& turned, LineDriving& driving) {
+  for (std::size_t line = 0; line < turned.size(); ++line) {
+    if (driving.turned[line] != turned[line]) turn_round(driving, line);
   }
+}
+
+void go_back_to(Longest longest, LineDriving& driving) {
+  if (!longest.driven.empty()) lie_as(longest.turned, driving);
   driving.driven = std::move(longest.driven);
 }
 
@@ -139,16 +145,11 @@ bool is_apart_from_all(const LineDriving& driving, const std::set<int>& parts, s
          std::ranges::all_of(parts, [&](int part) { return is_apart(driving, part, line); });
 }
 
-}  // namespace
-
-void drive_optional(LineDriving& driving, const RoomyParts& parts,
-                    const std::vector<std::size_t>& lines) {
-  if (lines.empty()) return;
+// Appends lines that wait until none of them can be come to any more.
+void drive_as_far_as_possible(LineDriving& driving, Waiting waiting, Longest& longest) {
   std::vector<DrivenLine>& driven = driving.driven;
   const std::size_t first = driven.size();
-  Waiting waiting = waiting_for(driving, parts, lines);
   const auto begins = [&](std::size_t line) { return waiting.may_begin[line] != 0; };
-  Longest longest;
   while (!waiting.lines.empty()) {
     stop_if(driving.joining.cancelled);
     if (drive_one(driving, waiting)) continue;
@@ -173,9 +174,34 @@ void drive_optional(LineDriving& driving, const RoomyParts& parts,
                   [&](std::size_t line) { return waiting.tries[line] >= kTriesEach; });
   }
   keep_longest(driving, longest);
+}
+
+}  // namespace
+
+void drive_optional(LineDriving& driving, const RoomyParts& parts,
+                    const std::vector<std::size_t>& lines) {
+  if (lines.empty()) return;
+  const std::size_t first = driving.driven.size();
+  const int node_budget = driving.joining.node_budget;
+  const PartWays ways = driving.ways;
+  const std::vector<char> turned = driving.turned;
+  Longest longest;
+  drive_as_far_as_possible(driving, waiting_for(driving, parts, lines), longest);
+  std::set<int> begun_in;
+  for (const std::size_t line : lines) begun_in.insert(driving.parts[line].begin);
+  if (longest.driven.size() < first + lines.size() && begun_in.size() > 1) {
+    // A tight gap may lead one way only. What was searched for in vain from elsewhere is forgotten.
+    driving.driven.resize(first);
+    driving.joining.node_budget = node_budget;
+    driving.ways = ways;
+    lie_as(turned, driving);
+    Waiting waiting = waiting_for(driving, parts, lines);
+    waiting.finishes_parts = true;
+    drive_as_far_as_possible(driving, std::move(waiting), longest);
+  }
   go_back_to(std::move(longest), driving);
   std::set<std::size_t> reached;
-  for (const DrivenLine& line : driven) reached.insert(line.line);
+  for (const DrivenLine& line : driving.driven) reached.insert(line.line);
   const std::set<int> from_parts = parts_driven(driving);
   for (const std::size_t line : lines) {
     if (reached.contains(line)) continue;
