@@ -21,7 +21,7 @@ inline constexpr double kTransitWidths = 4.0;
 inline constexpr double kCurvatureTolerance = 0.02;
 
 // Nodes that all routes of one path may take together: bounds the time of hopeless fields.
-inline constexpr int kNodeBudget = 400000;
+inline constexpr int kNodeBudget = 1000000;
 
 // At least one line. `space` is the field's for this vehicle. The implement is down on the lines
 // and up between them. Throws PlanInfeasible and Cancelled as make_path does.
