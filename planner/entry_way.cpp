@@ -62,10 +62,7 @@ std::optional<EntryWay> way_from_entry(LineJoining& joining, std::size_t line, i
   if (choices.empty()) return std::nullopt;
   // What blocks one heading blocks the others: a route is searched from the cheapest alone.
   const Pose& from = choices.front().from;
-  int nodes = std::min(joining.node_budget, most_nodes);
-  const int allowed = nodes;
-  auto arcs = connect(joining.space, from, to, connection_options(joining, clearance_m), nodes);
-  joining.node_budget -= allowed - nodes;
+  auto arcs = connect_within(joining, from, to, clearance_m, most_nodes);
   if (!arcs) return std::nullopt;
   return EntryWay{from, std::move(*arcs)};
 }

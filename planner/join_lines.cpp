@@ -172,12 +172,15 @@ void append_line(LineJoining& joining, std::size_t index) {
 }
 
 void append_entry(LineJoining& joining, const DrivenLine& first) {
-  const EntryWay way = first.arcs ? EntryWay{*first.entry, *first.arcs}
-                                  : overrunning_way_from_entry(joining, first.line);
+  const PathPoint& to = joining.lines[first.line].points.front();
+  if (first.arcs) {
+    append_arcs(joining, *first.entry, *first.arcs, to, PathKind::kTransit);
+    return;
+  }
+  const EntryWay way = overrunning_way_from_entry(joining, first.line);
   const Overrun worst = worst_overrun(joining.space, way.from, way.arcs);
-  if (!first.arcs && worst.depth_m > 0.0) record(joining, worst, "way from the entry");
-  append_arcs(joining, way.from, way.arcs, joining.lines[first.line].points.front(),
-              PathKind::kTransit);
+  if (worst.depth_m > 0.0) record(joining, worst, "way from the entry");
+  append_arcs(joining, way.from, way.arcs, to, PathKind::kTransit);
 }
 
 }  // namespace

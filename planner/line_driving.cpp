@@ -33,19 +33,14 @@ std::optional<std::vector<Arc>> arcs_between(LineDriving& driving, std::size_t b
       clearance_between(joining.space, from, to, joining.options.clearance_m);
   if (clearance_m < -kFitTolerance_m) return std::nullopt;
   const bool optional = joining.lines[before].optional || joining.lines[next].optional;
-  int nodes = joining.node_budget;
-  if (optional) {
-    const int from_part = driving.parts[before].end;
-    const int to_part = driving.parts[next].begin;
-    if (are_apart(driving.ways, from_part, to_part)) return std::nullopt;
-    nodes = std::min(nodes, from_part == to_part ? kOptionalNodes : kNodesToOtherPart);
-  }
-  const int allowed = nodes;
-  auto arcs = connect(joining.space, from, to, connection_options(joining, clearance_m), nodes);
-  joining.node_budget -= allowed - nodes;
-  if (!optional) return arcs;
+  if (!optional) return connect_within(joining, from, to, clearance_m, joining.node_budget);
+  const int from_part = driving.parts[before].end;
+  const int to_part = driving.parts[next].begin;
+  if (are_apart(driving.ways, from_part, to_part)) return std::nullopt;
+  auto arcs = connect_within(joining, from, to, clearance_m,
+                             from_part == to_part ? kOptionalNodes : kNodesToOtherPart);
   if (arcs && longest_backing_m(*arcs) > kFarthestBacking_m) arcs.reset();
-  note_search(driving.ways, driving.parts[before].end, driving.parts[next].begin, arcs.has_value());
+  note_search(driving.ways, from_part, to_part, arcs.has_value());
   return arcs;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "planner/continuous_turns.h"
@@ -21,6 +22,15 @@ ConnectionOptions connection_options(const LineJoining& joining, double clearanc
     options.sharpness_per_m2 = turning_sharpness_per_m2(joining.vehicle);
   }
   return options;
+}
+
+std::optional<std::vector<Arc>> connect_within(LineJoining& joining, const Pose& from,
+                                               const Pose& to, double clearance_m, int most_nodes) {
+  const int allowed = std::min(joining.node_budget, most_nodes);
+  int nodes = allowed;
+  auto arcs = connect(joining.space, from, to, connection_options(joining, clearance_m), nodes);
+  joining.node_budget -= allowed - nodes;
+  return arcs;
 }
 
 Eigen::Vector2d implement_at(const LineJoining& joining, const PathPoint& axle) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,11 @@ struct LineJoining {
 };
 
 ConnectionOptions connection_options(const LineJoining& joining, double clearance_m);
+
+// As connect (connection.h), with at most `most_nodes` of the node budget, which they are taken
+// off.
+std::optional<std::vector<Arc>> connect_within(LineJoining& joining, const Pose& from,
+                                               const Pose& to, double clearance_m, int most_nodes);
 
 // The implement's middle where the axle is there.
 Eigen::Vector2d implement_at(const LineJoining& joining, const PathPoint& axle);
