@@ -4,11 +4,15 @@
 
 #include <algorithm>
 
+#include "planner/algorithms/boustrophedon.h"
 #include "planner/drivable_path.h"
 #include "planner/part_ways.h"
+#include "planner/planned_vehicle.h"
 #include "planner/roomy_parts.h"
+#include "tests/planner/field_shapes.h"
 #include "tests/planner/made_up_vehicle.h"
 #include "tests/planner/path_fixture.h"
+#include "vehicle_models/vehicle_loader.h"
 
 namespace headland {
 namespace {
@@ -140,6 +144,44 @@ TEST(DrivenLines, ThereIsAlwaysOneAndThatOfALaneThatTheEntryLeadsTo) {
     test::expect_inside(path, field, vehicle, 0.0);
     EXPECT_TRUE(path.violations.empty());
   }
+}
+
+Path covered_path(const Field& field, const Vehicle& vehicle) {
+  PlanRequest request = transplanter_request(field, "boustrophedon");
+  set_vehicle(request, vehicle);
+  request.parameters["headland_corners"] = std::string("covered");
+  return make_path(field, vehicle, plan_boustrophedon(request), {});
+}
+
+// A transplanter passes gaps from 1.9 m on and cannot turn in them.
+TEST(DrivenLines, APassableGapDoesNotMakePlansLeaveMore) {
+  const auto left_out_behind_m2 = [](double gap_m) {
+    const double half_m = 0.5 * gap_m;
+    const Field field = field_of("bay", {{0, -10},
+                                         {30, -10},
+                                         {30, -half_m},
+                                         {31, -half_m},
+                                         {31, -5},
+                                         {41, -5},
+                                         {41, 5},
+                                         {31, 5},
+                                         {31, half_m},
+                                         {30, half_m},
+                                         {30, 10},
+                                         {0, 10}});
+    return left_out_m2(covered_path(field, load_vehicle("transplanter")));
+  };
+  const double closed_m2 = left_out_behind_m2(1.5);
+  EXPECT_GT(closed_m2, 90.0) << "negative control: the bay of 100 m2 cannot be reached";
+  EXPECT_LT(left_out_behind_m2(1.95), closed_m2);
+  EXPECT_EQ(left_out_behind_m2(2.5), 0.0);
+}
+
+// Its implement is no wider than its hull and the clearance need.
+TEST(DrivenLines, LeadAwayFromEdgesOfANarrowImplement) {
+  const Field field = field_of("square", rectangle_ring(0, 0, 24, 24));
+  const Path path = covered_path(field, load_vehicle("horticultural_tractor"));
+  EXPECT_LT(left_out_m2(path), 1.0);
 }
 
 }  // namespace
